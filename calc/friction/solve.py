@@ -118,7 +118,7 @@ def solve(
         d = drive(friction, links, lubricant, T, first_speed, ends, forces, lubrication, compared=compared)
     power = None if on else gears.power
     outcome = closed(d, power)
-    result = outcome.solution
+    result = replace(outcome.solution, drive=d, on=on)
     if friction.scenarios:
         with QUIET():
             result = replace(result, scenarios=scenarios.solved(d, friction, oils, oil.viscosity_law, power, on))

@@ -9,15 +9,17 @@ import re
 from collections.abc import Iterable
 from typing import ClassVar
 
-from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, series, tables, text
+from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, series, table, tables, text
 from ..sheet.text import Text
 from ..sheet.units import Kelvin
+from .drive.inputs import DragRow, DriveInputs
 from .tree import TrainLink, Tree, first_of, in_flow
 from .wheel_inputs import INTERNAL, REFUSED, Wheel
 
 # the folds of the form
 WHEELS = Text("More of the wheels")
 MESHES = Text("More of the meshes")
+DRIVE = Text("The drive over speed")
 ONLY = "shaft"  # what the shaft of a design is called that has one and gives it no name
 ASSUMED_WARMER: Kelvin = 20.0  # of the wheels: how much it is while the engine warms up is not published
 
@@ -578,6 +580,13 @@ class GearsInputs:
     walls: tuple[Wall, ...] = tables(
         "Walls", Wall, default=(), help="Covers, ribs: the wheels must clear them.", fold=MESHES
     )
+    drive: DriveInputs | None = table(
+        "Drive over speed",
+        DriveInputs,
+        default=None,
+        help="Where gas and flywheel of the engine do not say how the crank turns, or drags are measured.",
+        fold=DRIVE,
+    )
 
     @property
     def module(self) -> float:
@@ -634,6 +643,7 @@ class GearsInputs:
                 )
         if self.meshes or self.stages:
             yield from self._flow()
+            yield from self._drags()
         yield from self._shafts()
         yield from self._hands()
         if self.support_material is None:
@@ -676,6 +686,15 @@ class GearsInputs:
         for i, stage in enumerate(self.stages):
             if stage.name in taken:
                 yield dotted(GearsInputs.stages, i, Stage.name), Text("is the name of something else in the train")
+
+    def _drags(self) -> Iterable[tuple[str, Text]]:
+        """Drags are those of wheels and sprockets."""
+        for i, row in enumerate(self.drive.drag if self.drive is not None else ()):
+            if row.wheel not in self.along:
+                none = Text(
+                    'there is no wheel "{name}"; the wheels are {names}', name=row.wheel, names=", ".join(self.along)
+                )
+                yield dotted(GearsInputs.drive, DriveInputs.drag, i, DragRow.wheel), none
 
     def _shafts(self) -> Iterable[tuple[str, Text]]:
         """One wheel for each shaft."""

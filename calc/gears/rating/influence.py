@@ -5,6 +5,9 @@ The formulas are those of 2006 and of 2019 alike; the misalignment f_ma from the
 for both.  Below about 100 N/mm the factors grow because small deviations meet a small load; they stay finite, but they
 are no longer what the standard was made for, and a check says so."""
 
+from collections.abc import Mapping
+
+from ...library.catalogue import Material
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
@@ -205,7 +208,15 @@ def _mean_run_in(y: list[Metre]) -> Metre:
 
 def _stiffness(system: ToothSystem, name: Text, pair: Pair) -> Pascal:
     """c' from 100 N/mm on."""
-    (E_1, one), (E_2, two) = ((side.E, side.wheel) for side in pair)
+    one, two = ((side.E, side.wheel) for side in pair)
+    return _single_stiffness(system, name, one, two)
+
+
+def _single_stiffness(
+    system: ToothSystem, name: Text, small: tuple[Pascal, WheelResult], large: tuple[Pascal, WheelResult]
+) -> Pascal:
+    """The same by moduli and wheels, the one with fewer teeth first."""
+    (E_1, one), (E_2, two) = small, large
     z_n1, z_n2 = (virtual_teeth(wheel.teeth, system.base_helix_angle, system.beta) for wheel in (one, two))
     q = v.tooth_compliance(z_n1=z_n1, z_n2=z_n2, x_1=one.profile_shift, x_2=two.profile_shift)
     C_B = v.basic_rack_factor(h_fP=system.h_fP, alpha_n=system.alpha_n)
@@ -222,6 +233,18 @@ def _stiffness(system: ToothSystem, name: Text, pair: Pair) -> Pascal:
             advice=Text("give smaller profile shifts, more teeth, or a usual tool (addendum 1.25)"),
         )
     return v.single_stiffness(v.theoretical_stiffness(q), C_B, system.beta, v.modulus_ratio(E_1, E_2))
+
+
+def full_stiffness(
+    system: ToothSystem, mesh: MeshResult, wheels: Mapping[str, WheelResult], materials: Mapping[str, Material]
+) -> Pascal:
+    """c_γα of a mesh from 100 N/mm on, whether its wheels have a strength class or not."""
+    sides = [(materials[wheels[name].material].E, wheels[name]) for name in (mesh.driver, mesh.driven)]
+    (E_1, one), (E_2, two) = sorted(sides, key=lambda side: side[1].teeth)
+    name = Text("mesh {pair}", pair=mesh.title)
+    return v.mesh_stiffness(
+        c=_single_stiffness(system, name, (E_1, one), (E_2, two)), eps_alpha=mesh.transverse_contact_ratio
+    )
 
 
 def _mass(side: WheelOfPair) -> KilogramPerMetre:

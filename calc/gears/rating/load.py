@@ -7,7 +7,7 @@ The crank speeds up and slows down; whatever it drives has to follow through the
 more than its friction: the flanks then leave each other and hit (rattle).  Either the peak of mean and dynamic torque
 is rated, with K_A = 1, or K_A times the mean; never both."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ...library.catalogue import Material
 from ...library.lubricant import Lubricant
@@ -17,13 +17,9 @@ from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import (
     Celsius,
-    KilogramMetre2,
-    KilogramPerMetre3,
     Metre,
     NewtonMetre,
     Number,
-    RadPerSecond,
-    RadPerSecond2,
     RevPerSecond,
     SquareMetrePerSecond,
     Watt,
@@ -48,34 +44,24 @@ class Power:
 
 
 @record
-class Swing:
-    """The torque of the engine over its cycle, on its flywheel; `ratio`: speed of the first driver over that of the
-    crank."""
+class MeshTorques:
+    """What the irregular motion of the crank adds at the driver of one mesh, chain or belt, over the range of speeds
+    and loads.
 
-    highest: NewtonMetre
-    mean: NewtonMetre
-    lowest: NewtonMetre
-    inertia: KilogramMetre2
-    ratio: Number
+    `dynamic`: the largest by inertia, where the crank speeds up; `slowing`: where it slows down most, at each operating
+    point, `share` of the mean torque of the balance that is there at its speed."""
 
-
-@record
-class ShaftInertia:
-    """Of a shaft on its axis, with its wheel where `with_wheel`."""
-
-    J: KilogramMetre2
-    with_wheel: bool
+    dynamic: NewtonMetre
+    slowing: Sequence[NewtonMetre]
+    share: Sequence[Number]
 
 
 @record
-class Irregularity:
-    """How unevenly the first driver turns, and what hangs on the wheels of the shafts.  Either a given δ_s of one
-    order, or the engine's torque."""
+class Irregular:
+    """The same of all of them; `assumed`: a default stands for the motion of the crank."""
 
-    delta_s: Number | None  # (ω_max − ω_min)/ω
-    order: Number | None  # turns of the first driver
-    swing: Swing | None
-    shafts: Mapping[str, ShaftInertia]  # by name; those whose inertia is known
+    of: Mapping[str, MeshTorques]
+    assumed: bool
 
 
 @record
@@ -89,6 +75,7 @@ class RatingLoad:
     K_A: Number
     of_peak: bool = False  # rated with the peak of mean and dynamic torque, not with K_A times the mean
     assumed: bool = False  # K_A is the usual one: neither it nor the irregularity is known
+    at_worst: Number = UNEVEN  # K_A then, at its worst
 
     @property
     def reverses(self) -> bool:
@@ -146,72 +133,19 @@ def torque_of_driven(T: NewtonMetre, z_2: Number, z_1: Number) -> NewtonMetre:
     return T * z_2 / z_1
 
 
-@formula("ω", "definition of the angular speed")
-def angular_speed(n: RevPerSecond) -> RadPerSecond:
-    return 2 * pi * n
-
-
-@formula("ω'", "kinematics, harmonic irregularity of one order: ω·(1 + δ_s/2·sin(i·ω·t)), its largest acceleration")
-def angular_acceleration(delta_s: Number, i: Number, omega: RadPerSecond) -> RadPerSecond2:
-    return delta_s / 2 * i * omega**2
-
-
-@formula(
-    "ω'",
-    "dynamics: what the engine's torque has above its mean accelerates the flywheel",
-    names={"T": "T_max", "T_E": "T_m", "J": "J_F"},
-)
-def acceleration_of_engine(T: NewtonMetre, T_E: NewtonMetre, J: KilogramMetre2, i_1: Number) -> RadPerSecond2:
-    return (T - T_E) / J * i_1
-
-
-@formula(
-    "ω'",
-    "dynamics: what the engine's torque lacks of its mean slows the flywheel down",
-    names={"T": "T_min", "T_E": "T_m", "J": "J_F"},
-)
-def deceleration_of_engine(T: NewtonMetre, T_E: NewtonMetre, J: KilogramMetre2, i_1: Number) -> RadPerSecond2:
-    return (T_E - T) / J * i_1
-
-
-@formula("ω'", "kinematics: a chain or a belt does not stretch; i: turns in a turn of the first driver")
-def acceleration_behind(alpha: RadPerSecond2, i: Number) -> RadPerSecond2:
-    return alpha * i
-
-
-@formula("J_i", "dynamics: disc of the reference diameter, open inside its rim or its bore", unit="kg·mm²")
-def wheel_inertia(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> KilogramMetre2:
-    return pi / 32 * rho * b * (d**4 - d_i**4)
-
-
-@formula("J", "mathematics: sum of what turns on one axis", unit="kg·mm²")
-def with_shaft(J: KilogramMetre2, J_S: KilogramMetre2) -> KilogramMetre2:
-    return J + J_S
-
-
-@formula("J", "dynamics, kinetic energy: what a mesh drives, by the square of the ratio", unit="kg·mm²")
-def with_driven(J: KilogramMetre2, J_2: KilogramMetre2, z_1: Number, z_2: Number) -> KilogramMetre2:
-    return J + J_2 * (z_1 / z_2) ** 2
-
-
-@formula(
-    "T_dyn",
-    "dynamics: torque at the driver that accelerates all that its mesh drives",
-    names={"alpha": "ω'", "z_d": "z_1,train"},
-)
-def dynamic_torque(J_2: KilogramMetre2, z_1: Number, z_2: Number, alpha: RadPerSecond2, z_d: Number) -> NewtonMetre:
-    """The acceleration of a wheel is that of the first driver (z_d teeth) over the ratio of their teeth."""
-    return J_2 * alpha * z_d / z_2 * z_1 / z_2
-
-
 @formula("T", "rule of this program, peak torque: the mean with the largest dynamic torque, K_A = 1")
 def peak_torque(T_m: NewtonMetre, T_dyn: NewtonMetre) -> NewtonMetre:
     return abs(T_m) + T_dyn
 
 
-@formula("T_min", "mathematics: least torque over the cycle; below 0 the flanks leave each other")
-def least_torque(T_m: NewtonMetre, T_dyn: NewtonMetre) -> NewtonMetre:
-    return abs(T_m) - T_dyn
+@formula(
+    "T_min",
+    "mathematics: least torque over the cycle, at the speed and load where it is least; below 0 the flanks part",
+    names={"k": "k_D"},
+)
+def least_torque(T_m: NewtonMetre, k: Number, T_dyn: NewtonMetre) -> NewtonMetre:
+    """`k`: share of the mean torque that the drag has at that speed."""
+    return abs(T_m) * k - T_dyn
 
 
 def mean_torques(train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonMetre | Power) -> dict[str, NewtonMetre]:
@@ -244,87 +178,32 @@ def _torques(train: TrainResult, power: Mapping[str, Watt] | Watt) -> dict[str, 
 
 
 def loads(
-    gears: GearsInputs,
-    train: TrainResult,
-    mean: Mapping[str, NewtonMetre],
-    uneven: Irregularity | None,
-    materials: Mapping[str, Material],
+    gears: GearsInputs, train: TrainResult, mean: Mapping[str, NewtonMetre], uneven: Irregular | None
 ) -> dict[str, RatingLoad]:
     """What every mesh is rated with.  A given application factor is taken with the mean; else the dynamic torque where
-    it is known."""
-    up, down = _dynamic(gears, train, uneven, materials) if uneven is not None else ({}, {})
+    it is known; where a default stands for it, the usual factor."""
     rated = {}
     for key, T_m in mean.items():
         with about(Text("mesh {pair}", pair=train.tree.by_key[key].title)):
-            T_dyn = up.get(key)
-            T_min = None if T_dyn is None else least_torque(T_m=T_m, T_dyn=down[key])
+            swing = uneven.of.get(key) if uneven is not None else None
+            T_dyn = T_min = None
+            if swing is not None and uneven is not None and not uneven.assumed:
+                T_dyn, T_min = swing.dynamic, least_over(T_m, swing)
             if gears.application_factor is not None:
                 rated[key] = RatingLoad(T_m, T_dyn, T_min, T_m, gears.application_factor)
             elif T_dyn is None:
-                rated[key] = RatingLoad(T_m, None, None, T_m, usual_application_factor(), assumed=True)
+                worst = UNEVEN if swing is None or not T_m else max(USUAL, 1 + swing.dynamic / abs(T_m))
+                rated[key] = RatingLoad(T_m, None, None, T_m, usual_application_factor(), assumed=True, at_worst=worst)
             else:
                 peak = peak_torque(T_m=T_m, T_dyn=T_dyn)
                 rated[key] = RatingLoad(T_m, T_dyn, T_min, peak, factor_of_peak(), of_peak=True)
     return rated
 
 
-def _accelerations(first_speed: RevPerSecond, uneven: Irregularity) -> tuple[RadPerSecond2, RadPerSecond2]:
-    """The largest acceleration and deceleration of the first driver."""
-    with about(Text("irregularity of the first driver")):
-        if (s := uneven.swing) is not None:
-            faster = acceleration_of_engine(T=s.highest, T_E=s.mean, J=s.inertia, i_1=s.ratio)
-            return faster, deceleration_of_engine(T=s.lowest, T_E=s.mean, J=s.inertia, i_1=s.ratio)
-        assert uneven.delta_s is not None and uneven.order is not None
-        alpha = angular_acceleration(delta_s=uneven.delta_s, i=uneven.order, omega=angular_speed(n=abs(first_speed)))
-        return alpha, alpha
-
-
-def _dynamic(
-    gears: GearsInputs, train: TrainResult, uneven: Irregularity, materials: Mapping[str, Material]
-) -> tuple[dict[str, NewtonMetre], dict[str, NewtonMetre]]:
-    """Dynamic torque at the driver of every mesh and stage where the crank speeds up, and where it slows down; from the
-    last ones to the first."""
-    tree = train.tree
-    inside = {
-        w.name: inner_diameter(train.wheels[w.name].root_diameter, w.bore_diameter, w.rim_thickness)
-        for w in gears.wheels
-    }
-    on = {turn.wheel: uneven.shafts[name] for name, turn in train.shafts.items() if name in uneven.shafts}
-    faster, slower = _accelerations(train.speeds[tree.first], uneven)
-    # of a wheel and all that it drives; of a sprocket that turns beside no wheel what its shaft has
-    inertia: dict[str, KilogramMetre2] = {name: on[name].J if name in on else 0.0 for name in train.speeds}
-    for name, wheel in train.wheels.items():
-        with about(Text("wheel {name}, inertia", name=name)):
-            shaft = on.get(name)
-            if shaft is not None and shaft.with_wheel:
-                continue
-            rho = materials[wheel.material].density
-            J = wheel_inertia(rho=rho, b=wheel.face_width, d=wheel.pitch_diameter, d_i=inside[name])
-            inertia[name] = J if shaft is None else with_shaft(J=J, J_S=shaft.J)
-    heads, accelerations = {tree.first: tree.first}, {tree.first: (faster, slower)}
-    for link in tree.links:  # the wheel with which meshes begin: the first driver, or one behind a chain or belt
-        heads[link.driven] = heads[link.driver] if link.toothed else link.driven
-        if not link.toothed:
-            with about(Text("wheel {name}, inertia", name=link.driven)):
-                i = tree.turns(link.driven)
-                behind = acceleration_behind(alpha=faster, i=i), acceleration_behind(alpha=slower, i=i)
-            accelerations[link.driven] = behind
-    up, down = dict[str, NewtonMetre](), dict[str, NewtonMetre]()
-    for link in reversed(tree.links):
-        z_1, z_2, J_2, head = link.z_1, link.z_2, inertia[link.driven], heads[link.driven]
-        z_d = train.wheels[head].teeth if link.toothed else z_2
-        with about(Text("mesh {pair}, inertia", pair=link.title)):
-            one, two = accelerations[head]
-            up[link.key] = down[link.key] = dynamic_torque(J_2=J_2, z_1=z_1, z_2=z_2, alpha=one, z_d=z_d)
-            if uneven.swing is not None:
-                down[link.key] = dynamic_torque(J_2=J_2, z_1=z_1, z_2=z_2, alpha=two, z_d=z_d)
-            inertia[link.driver] = with_driven(J=inertia[link.driver], J_2=J_2, z_1=z_1, z_2=z_2)
-    return up, down
-
-
-def firing_order(cylinders: int, strokes: int) -> Number:
-    """The lowest order in which the gas torque of equal cylinders, fired evenly, does not cancel."""
-    return 2 * cylinders / strokes
+def least_over(T_m: NewtonMetre, swing: MeshTorques) -> NewtonMetre:
+    """The least torque over the range of speeds and loads."""
+    at = min(range(len(swing.slowing)), key=lambda p: abs(T_m) * swing.share[p] - swing.slowing[p])
+    return least_torque(T_m=T_m, k=swing.share[at], T_dyn=swing.slowing[at])
 
 
 # --- what the rating of a train works with: what is known around the gears, and what is the same for all meshes
@@ -348,7 +227,7 @@ def peak_to_valley(Ra: Metre) -> Metre:
 class Surroundings:
     """What the rating takes from outside the gears; what is None is not known."""
 
-    uneven: Irregularity | None = None
+    uneven: Irregular | None = None
     lubricant: Lubricant | None = None
     oil_temperature: Celsius | None = None
     flank_ra: tuple[Metre, Metre] | None = None  # Ra of driver and driven wheel

@@ -26,7 +26,6 @@ from .checks import checks
 from .influence import influence
 from .load import (
     REFERENCE_NU,
-    UNEVEN,
     Power,
     RatingContext,
     RatingLoad,
@@ -67,7 +66,7 @@ def rating(
     ("a_b"), else by the driver's name; or the power of the one or the others."""
     with trace() as lines:
         mean = mean_torques(train, torque)
-        load = loads(gears, train, mean, around.uneven, materials)
+        load = loads(gears, train, mean, around.uneven)
         context = rating_context(gears, train, materials, around)
         rated = {key: _mesh(context, mesh, load[key], mean) for key, mesh in train.meshes.items()}
         strands = {}
@@ -106,7 +105,9 @@ def _if_uneven(
     """The strengths at the application factor of the worst irregularity; none where it is not assumed."""
     with recorded(False):
         return {
-            key: loaded(context, context.train.meshes[key], _nominal_of(rating), UNEVEN, rating.strength.sides).strength
+            key: loaded(
+                context, context.train.meshes[key], _nominal_of(rating), load[key].at_worst, rating.strength.sides
+            ).strength
             for key, rating in rated.items()
             if load[key].assumed and rating.strength is not None
         }

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What every wheel needs to turn over speed, its shaft with it, without what its meshes lose: the drag that holds its
+flanks together.
+
+Mesh losses are none of it: they vanish when the flanks part."""
+
+import numpy as np
+
+from ..sheet.arrays import Array
+from ..sheet.units import Watt
+from ..sheet.value import untraced
+from .journals import journals_at
+from .power_balance import drive, end_of, shaft_loss
+from .result import FrictionResult
+
+
+def drags(balance: FrictionResult, ratio: Array) -> dict[str, Array]:
+    """The drag torque of every wheel and sprocket in N·m at speeds that are `ratio` times that of the balance, its oil
+    as warm; nan where a journal has no film in the range of its table.
+
+    The teeth load bearings as they do in the balance, by the square of the speed.  What hangs on a shaft counts; what a
+    train without shafts delivers is a constant torque."""
+    d, on = balance.drive, balance.on
+    assert d is not None and on is not None  # of every balance that the step has solved
+    T = np.full(ratio.shape, float(d.T_oil))
+    with untraced(), np.errstate(all="ignore"):
+        ends = {
+            name: end_of(d.friction, end.wheel, on[name], journals_at(on[name], ratio, T))
+            for name, end in d.ends.items()
+        }
+        first = d.wheels[d.first].speed * ratio
+        at = drive(d.friction, d.links, d.lubricant, T, first, ends, d.forces, d.lubrication)
+        taken = balance.meshes | balance.stages
+        loads: dict[str, Watt] = {name: link.power_in * ratio**2 for name, link in taken.items()}
+        needed = {name: sum(wheel.parts()) + np.zeros(ratio.shape) for name, wheel in at.wheels.items()}
+        for name, (_, loss) in at.bearings(loads).items():
+            needed[name] += np.ravel(loss)
+        for name, end in ends.items():
+            teeth = balance.at_teeth(end.wheel)
+            needed[end.wheel] += shaft_loss(end.journals, None if teeth is None else teeth * ratio**2, loads)
+            needed[end.wheel] += np.ravel(at.masses[name].mass_loss) if name in at.masses else 0.0
+        for hung in at.hung:
+            needed[hung.wheel] += hung.power
+        if balance.delivered_power is not None:
+            needed[d.last] += balance.delivered_power * ratio
+        return {name: P / (2 * np.pi * np.abs(at.wheels[name].speed)) for name, P in needed.items()}

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The train as bodies on its line of action: what turns, what drags, what plays, by the tree of its meshes.
+
+The drag of a body is that of its journals or rolling bearings, seals, windage, churning and other losses, and what
+hangs on its shaft; mesh losses are none of it."""
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ...library.catalogue import Material
+from ...sheet.arrays import Array
+from ...sheet.formula import formula
+from ...sheet.functions import pi
+from ...sheet.record import record
+from ...sheet.text import Text
+from ...sheet.units import (
+    Kilogram,
+    KilogramMetre2,
+    KilogramPerMetre3,
+    Metre,
+    Newton,
+    NewtonMetre,
+    Number,
+    Radian,
+    RevPerSecond,
+)
+from ...sheet.value import about
+from ..inputs import GearsInputs
+from ..backlash.formulas import play_angle_at_base
+from ..rating.influence import full_stiffness, inner_diameter
+from ..result import TrainResult
+from ..tree import TrainLink
+from .inputs import DragRow
+from .motion import Bodies
+
+GRAVITY = 9.80665  # m/s²
+LIGHT_SHAFT = 0.01  # of the drag: gravity that turns a shaft by less is not counted
+
+
+@record
+class ShaftBody:
+    """A shaft as the drive sees it.
+
+    `J` on its axis, with its wheel where `with_wheel`; `U` its unbalance in kg·m, `angle` where that stands from up
+    with cylinder 1 at TDC, in the sense of the crank; `ratio` its speed over the crank's, − against it."""
+
+    J: KilogramMetre2
+    with_wheel: bool
+    U: float = 0.0
+    angle: Radian = 0.0
+    ratio: Number = 1.0
+
+
+# --- what turns
+
+
+@formula("J_i", "dynamics: disc of the reference diameter, open inside its rim or its bore", unit="kg·mm²")
+def wheel_inertia(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> KilogramMetre2:
+    return pi / 32 * rho * b * (d**4 - d_i**4)
+
+
+@formula("J", "mathematics: sum of what turns on one axis", unit="kg·mm²")
+def with_shaft(J: KilogramMetre2, J_S: KilogramMetre2) -> KilogramMetre2:
+    return J + J_S
+
+
+@formula(
+    "J_E", "dynamics, kinetic energy: with what the crank turns besides, by the square of its speed over the crank's"
+)
+def with_body(J: KilogramMetre2, J_k: KilogramMetre2, i_k: Number) -> KilogramMetre2:
+    """>>> with_body(J=0.9, J_k=0.0069, i_k=-1.0)
+    0.9069
+    """
+    return J + J_k * i_k**2
+
+
+@formula(
+    "M", "dynamics: moment of inertia as a mass on the line of action; r_b: base radius of the wheel that is driven"
+)
+def mass_on_line(J: KilogramMetre2, r_b: Metre) -> Kilogram:
+    """>>> mass_on_line(J=0.00646, r_b=0.025086)
+    10.265...
+    """
+    return J / r_b**2
+
+
+@formula("D", "statics: drag torque of a wheel with its shaft as a force on the line of action")
+def drag_on_line(T_d: NewtonMetre, r_b: Metre) -> Newton:
+    return T_d / r_b
+
+
+@formula("j", "geometry: free turn of the driven wheel along the transverse line of action", unit="µm")
+def play_on_line(phi_j: Radian, r_b: Metre) -> Metre:
+    """>>> play_on_line(phi_j=0.0015, r_b=0.025)
+    3.75e-05
+    """
+    return phi_j * r_b
+
+
+def inertias(
+    gears: GearsInputs, train: TrainResult, shafts: Mapping[str, ShaftBody], materials: Mapping[str, Material]
+) -> dict[str, KilogramMetre2]:
+    """Of every wheel with its shaft; of a sprocket that turns beside no wheel what its shaft has."""
+    on = {turn.wheel: shafts[name] for name, turn in train.shafts.items() if name in shafts}
+    own: dict[str, KilogramMetre2] = {name: on[name].J if name in on else 0.0 for name in train.speeds}
+    for w in gears.wheels:
+        name, wheel, shaft = w.name, train.wheels[w.name], on.get(w.name)
+        if shaft is not None and shaft.with_wheel:
+            continue
+        with about(Text("wheel {name}, inertia", name=name)):
+            inside = inner_diameter(wheel.root_diameter, w.bore_diameter, w.rim_thickness)
+            J = wheel_inertia(rho=materials[w.material].density, b=wheel.face_width, d=wheel.pitch_diameter, d_i=inside)
+            own[name] = J if shaft is None else with_shaft(J=J, J_S=shaft.J)
+    return own
+
+
+# --- the bodies
+
+
+@record
+class TrainOnLine:
+    """The links of a train along the flow of power, each with the body that it drives, in numbers that keep their
+    links: `radius` of the base circle at its mesh, or of the sprocket."""
+
+    links: tuple[TrainLink, ...]
+    parent: tuple[int, ...]
+    rho: tuple[Number, ...]
+    radius: tuple[Metre, ...]
+    first_radius: Metre  # of the first driver
+    J: tuple[KilogramMetre2, ...]
+    mass: tuple[Kilogram, ...]
+    width: tuple[Metre, ...]
+    stiffness: tuple[float, ...]
+    play: Mapping[str, tuple[Metre, ...]]  # along the line of action: "nominal", "most", "least"
+    turns: tuple[Number, ...]  # in a turn of the first driver
+
+    def index(self, key: str) -> int:
+        return next(i for i, link in enumerate(self.links) if link.key == key)
+
+    def path(self, i: int) -> tuple[int, ...]:
+        """The links from the first driver to a body, its own last."""
+        way: tuple[int, ...] = ()
+        while i >= 0:
+            way, i = (i, *way), self.parent[i]
+        return way
+
+    def bodies(self, drag: Array, play: str, factor: Number = 1.0) -> Bodies:
+        """As arrays; `drag` (P, B), of which `factor` is taken."""
+        return Bodies(
+            parent=self.parent,
+            rho=np.array(self.rho, dtype=float),
+            toothed=tuple(link.toothed for link in self.links),
+            mass=np.array(self.mass, dtype=float),
+            drag=drag * factor,
+            backlash=np.array(self.play[play], dtype=float),
+            width=np.array(self.width, dtype=float),
+            stiffness=np.array(self.stiffness, dtype=float),
+        )
+
+
+def on_line(
+    gears: GearsInputs, train: TrainResult, own: Mapping[str, KilogramMetre2], materials: Mapping[str, Material]
+) -> TrainOnLine:
+    """`own`: what `inertias` gives."""
+    links, reached = train.tree.links, {train.tree.first: -1}
+    r_first = _radius(train, train.tree.first)
+    parent, rho, radius, mass, width, stiffness = [], [], [], [], [], []
+    play: dict[str, list[Metre]] = {"nominal": [], "most": [], "least": []}
+    for i, link in enumerate(links):
+        before = reached[link.driver]
+        r, r_before = _radius(train, link.driven), radius[before] if before >= 0 else r_first
+        parent.append(before)
+        radius.append(r)
+        with about(Text("mesh {pair}, on the line of action", pair=link.title)):
+            mass.append(mass_on_line(J=own[link.driven], r_b=r))
+            if link.toothed:
+                mesh = train.meshes[link.key]
+                rho.append(_radius(train, link.driver) / r_before)
+                width.append(mesh.face_width)
+                stiffness.append(full_stiffness(train.system, mesh, train.wheels, materials))
+                for corner, phi in _plays(train, link.key).items():
+                    play[corner].append(play_on_line(phi_j=phi, r_b=r))
+            else:
+                rho.append(r * link.z_1 / (link.z_2 * r_before))
+                width.append(0.0)
+                stiffness.append(math.inf)
+                for corner in play:
+                    play[corner].append(0.0)
+        reached[link.driven] = i
+    turns = tuple(train.tree.turns(link.driven) for link in links)
+    return TrainOnLine(
+        links=links,
+        parent=tuple(parent),
+        rho=tuple(rho),
+        radius=tuple(radius),
+        first_radius=r_first,
+        J=tuple(own[link.driven] for link in links),
+        mass=tuple(mass),
+        width=tuple(width),
+        stiffness=tuple(stiffness),
+        play={corner: tuple(plays) for corner, plays in play.items()},
+        turns=turns,
+    )
+
+
+def _radius(train: TrainResult, name: str) -> Metre:
+    """The base radius of a wheel; of a sprocket that turns beside none its pitch radius."""
+    if name in train.wheels:
+        return train.wheels[name].base_diameter / 2
+    stage = next(stage for stage in train.stages.values() if name in (stage.driver, stage.driven))
+    return (stage.pitch_diameter_driven if stage.driven == name else stage.pitch_diameter_driver) / 2
+
+
+def _plays(train: TrainResult, key: str) -> dict[str, Radian]:
+    """The free turn of the driven wheel: at mid-tolerance, largest and smallest when all is warm; where that is not
+    known, by the tolerance of the centre distance alone."""
+    mesh = train.meshes[key]
+    d_b, beta_b = train.wheels[mesh.driven].base_diameter, train.system.base_helix_angle
+
+    def turn(j_bn: Metre) -> Radian:
+        return play_angle_at_base(j_bn=j_bn, beta_b=beta_b, d_b=d_b)
+
+    if train.play is None:
+        return {"nominal": turn(mesh.backlash_nominal), "most": mesh.play_angle, "least": turn(mesh.backlash_min)}
+    play = train.play[key]
+    return {"nominal": play.play_angle_nominal, "most": play.play_angle_running, "least": turn(play.backlash_running)}
+
+
+# --- what drags
+
+
+def measured(rows: Sequence[DragRow], wheel: str, speeds: Array) -> Array | None:
+    """The drag of a wheel that is given over the speed of the crank, linear between the rows and constant outside; None
+    where it is not."""
+    mine = sorted((float(row.speed), float(row.torque)) for row in rows if row.wheel == wheel)
+    return np.interp(speeds, *zip(*mine)) if mine else None

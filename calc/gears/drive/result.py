@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the drive over speed publishes: the motion of the crank, and of every mesh its forces, strikes and grade."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from ...sheet.quantity import Stated, group, result, value
+from ...sheet.text import Text
+from ...sheet.units import KilogramMetre2, Metre, MetrePerSecond, Newton, NewtonMetre, Number, RadPerSecond2
+from ...sheet.units import RevPerSecond, Watt
+from .scissor import ScissorResult
+
+if TYPE_CHECKING:
+    from .survey import Survey
+
+IDLE, IDLE_FULL, RATED, HARDEST = "idle", "idle_full", "rated", "hardest"
+OPERATIONS = {
+    IDLE: Text("idle, no load"),
+    IDLE_FULL: Text("idle, full load"),
+    RATED: Text("rated speed, full load"),
+    HARDEST: Text("where it strikes hardest"),
+}
+MOST = "largest backlash, least drag"
+
+
+@result
+class MotionAt:
+    """The crank at one operating point."""
+
+    irregularity: Number = value("Irregularity of the crank", "%", "δ_s", short=True)
+    acceleration_up: RadPerSecond2 = value("Largest acceleration of the crank", "rad/s²", "ω'_max")
+    acceleration_down: RadPerSecond2 = value("Largest deceleration of the crank, negative", "rad/s²", "ω'_min")
+    mean_torque: NewtonMetre | None = value("Mean torque on the crank, indicated", "N·m", "T_m", default=None)
+    acceleration: dict[str, Stated] = group(words="acceleration")
+
+
+@result
+class MeshAt:
+    """One mesh at one operating point.  Forces act along the transverse line of action, + on the driving flank; those
+    ending in _most are with the largest backlash when all is warm and 0.7 of the drag."""
+
+    separation: Number | None = value("Inertia over drag: above 1 the flanks part", "", "Γ", default=None, short=True)
+    least_force: Newton = value("Least force of closed flanks over the cycle", "N", "F_lo")
+    most_force: Newton = value("Largest force of closed flanks over the cycle", "N", "F_hi")
+    impact_speed: MetrePerSecond = value("Speed of the hardest strike", "mm/s", "u", short=True)
+    impact_force_low: Newton = value("Force of the hardest strike, low", "N", "F_u,lo", short=True)
+    impact_force: Newton = value("Force of the hardest strike, high", "N", "F_u,hi", short=True)
+    impact_power: Watt = value("Power lost by strikes of its body, about", "W", "W_u")
+    impacts: Number = value("Strikes in a working cycle", "", "N_u")
+    flanks: Number = value("Flanks that strike: none, one or both", "", "N_F")
+    backlash_share: Number = value("Backlash of its way over half the swing of the driver", "", "J/x̂")
+    separation_most: Number | None = value(f"Inertia over drag, {MOST}", "", "Γ", default=None)
+    least_force_most: Newton = value(f"Least force of closed flanks, {MOST}", "N", "F_lo")
+    most_force_most: Newton = value(f"Largest force of closed flanks, {MOST}", "N", "F_hi")
+    impact_speed_most: MetrePerSecond = value(f"Speed of the hardest strike, {MOST}", "mm/s", "u")
+    impact_force_low_most: Newton = value(f"Force of the hardest strike, low, {MOST}", "N", "F_u,lo")
+    impact_force_most: Newton = value(f"Force of the hardest strike, high, {MOST}", "N", "F_u,hi")
+    impact_power_most: Watt = value(f"Power lost by strikes of its body, {MOST}", "W", "W_u")
+    impacts_most: Number = value(f"Strikes in a working cycle, {MOST}", "", "N_u")
+    flanks_most: Number = value(f"Flanks that strike, {MOST}", "", "N_F")
+    backlash_share_most: Number = value(f"Backlash over half the swing, {MOST}", "", "J/x̂")
+
+
+@result
+class MeshOverSpeed:
+    """One mesh over the range of speeds and loads."""
+
+    operations: dict[str, MeshAt] = group(spread=True, key_words=OPERATIONS)
+    reversal_from: RevPerSecond | None = value(
+        "Lowest speed at which its flanks part, at any load", "rpm", "n_F,1", default=None
+    )
+    reversal_to: RevPerSecond | None = value(
+        "Highest speed at which its flanks part, at any load", "rpm", "n_F,2", default=None
+    )
+    order: Number = value("Order of the mesh on the crank", "", "i_z")
+    error_by_load: Metre | None = value("Transmission error by the load, peak to peak", "µm", "Δx_F", default=None)
+    strike_safety_contact_low: Number | None = value(
+        "Safety against pitting under the hardest strike, low", "", "S_H", default=None, short=True
+    )
+    strike_safety_contact: Number | None = value(
+        "Safety against pitting under the hardest strike, high", "", "S_H", default=None, short=True
+    )
+    strike_safety_contact_most: Number | None = value(
+        f"Safety against pitting under the hardest strike, high, {MOST}", "", "S_H", default=None
+    )
+    scissor: ScissorResult | None = group(default=None, words="scissor gear")
+
+
+@result
+class WheelStruck:
+    """One wheel under the hardest strike in any of its meshes."""
+
+    strike_safety_bending_low: Number | None = value(
+        "Safety against tooth breakage under the hardest strike, low", "", "S_F", default=None
+    )
+    strike_safety_bending: Number | None = value(
+        "Safety against tooth breakage under the hardest strike, high", "", "S_F", default=None
+    )
+    strike_safety_bending_most: Number | None = value(
+        f"Safety against tooth breakage under the hardest strike, high, {MOST}", "", "S_F", default=None
+    )
+
+
+@result
+class DriveResult:
+    """The crank and the train behind it over speed and load."""
+
+    idle_speed: RevPerSecond = value("Idle speed of the crank", "rpm", "n_i", short=True)
+    inertia_total: KilogramMetre2 | None = value(
+        "Inertia on the crank: flywheel and train", "kg·m²", "J_E", default=None
+    )
+    operations: dict[str, MotionAt] = group(spread=True, key_words=OPERATIONS)
+    hardest_speed: RevPerSecond = value("Speed at which the flanks strike hardest", "rpm", "n_u", short=True)
+    hardest_load: Number = value("Load at which the flanks strike hardest", "%", "p_u")
+    impact_power: Watt = value("Power lost by strikes, about, at most", "W", "ΣW_u", short=True)
+    impact_speed: MetrePerSecond = value(
+        "Hardest strike at idle without load", "mm/s", "u_i", short=True, page_one=9, headline=3
+    )
+    grade: Number = value("Grade of the rattle at idle: 1 A, 2 B, 3 C", "")
+    backlash_quiet_a: Metre | None = value(
+        "Backlash on the way of grade A at idle, along the line of action", "µm", "J_A", default=None
+    )
+    backlash_quiet_b: Metre | None = value(
+        "Backlash on the way of grade B at idle, along the line of action", "µm", "J_B", default=None
+    )
+    window_low: Metre | None = value("Least nominal backlash on the way", "µm", "J_lo", default=None)
+    window_high: Metre | None = value("Largest nominal backlash on the way", "µm", "J_hi", default=None)
+    assumed: bool  # whether a default stands for the motion of the crank
+    survey: "Survey"  # all that was computed, as arrays
+    torques: Mapping[str, "MeshTorques"]  # by mesh or stage: what the rating takes
+
+
+@result
+class MeshTorques:
+    """At the driver of one mesh, chain or belt, over the range of speeds and loads."""
+
+    dynamic: NewtonMetre  # largest, where the crank speeds up
+    least: NewtonMetre | None  # of the whole over the cycle; None: no mean torque is known
