@@ -5,6 +5,7 @@
 parts of itself, with all that is behind it, in the backlash of its whole path.  How a flight goes stands in
 `flight.py`."""
 
+from dataclasses import fields
 from functools import cached_property
 from typing import Any
 
@@ -104,6 +105,10 @@ class Closed:
     separation: Array  # (P, B) Γ; inf where D_c is 0
     parts: BoolArray  # (P, B): of itself
 
+    def at(self, points: Any) -> "Closed":
+        """At some of the points, as numpy chooses rows."""
+        return Closed(self.mass, *(getattr(self, f.name)[points] for f in fields(self)[1:]))
+
 
 def closed(motion: Motion, bodies: Bodies) -> Closed:
     """Exact: F = M_c·x₀'' + D_c, less what gravity turns the bodies by.  A chain, and a mesh that a split gear holds,
@@ -153,7 +158,7 @@ class Strikes:
     share: Array  # (P, B) J over half the driver's swing there
     let_go: Array  # (P, B, E + 1) angle of the crank in rad, rising; NaN: none
     left: IndexArray  # (P, B, E + 1) the flank that it lets go of: 1 driving, −1 coast, 0 none
-    at: Array  # (P, B, E) angle of the crank at the strike in rad
+    struck: Array  # (P, B, E) angle of the crank at the strike in rad
     flank: IndexArray  # (P, B, E) the flank that is struck
     speed: Array  # (P, B, E) u ≥ 0 at the body's own mesh, in m/s; 0 outside its orbit
     press: Array  # (P, B, E) p at the strike in m/s²; 0 outside its orbit
@@ -161,6 +166,10 @@ class Strikes:
     orbit: Array  # (P, B) T_o in s; 0: no strike
     power: Array  # (P, B) W
     closes: BoolArray  # (P, B): the motion repeats itself within the events; else all of them are its orbit
+
+    def at(self, points: Any) -> "Strikes":
+        """At some of the points, as numpy chooses rows."""
+        return Strikes(*(getattr(self, f.name)[points] for f in fields(self)))
 
     @cached_property
     def hardest(self) -> Array:
@@ -190,7 +199,7 @@ def fly(motion: Motion, bodies: Bodies, of: Closed) -> Strikes:
         share=J / (_swing(motion)[:, None] * bodies.ratio),
         let_go=spread(flown.let_go * step, np.nan),
         left=spread(flown.left),
-        at=spread(flown.at * step, np.nan),
+        struck=spread(flown.at * step, np.nan),
         flank=spread(flown.flank),
         speed=spread(u),
         press=spread(p),
@@ -291,7 +300,7 @@ def course(motion: Motion, bodies: Bodies, point: int, body: int) -> tuple[Array
     if not strikes.orbit[0, body]:
         return epsilon, np.zeros(epsilon.size), M * (ways(epsilon, 0) + g)
     J, omega = strikes.backlash[0, body], motion.omega[0]
-    let_go, at, left = strikes.let_go[0, body], strikes.at[0, body], strikes.left[0, body]
+    let_go, at, left = strikes.let_go[0, body], strikes.struck[0, body], strikes.left[0, body]
     first, length = int(strikes.first[0, body]), strikes.orbit[0, body] * omega
     phase = (epsilon - let_go[first]) % motion.cycle % length + let_go[first]  # in the orbit
     y, F = np.zeros(epsilon.size), M * (ways(phase, 0) + g)
