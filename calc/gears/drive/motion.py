@@ -6,11 +6,13 @@ in mesh have equal x whatever their ratio; an idler is one mass.  The motion of 
 does not act back on it but through its inertia."""
 
 import math
+from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from ...sheet.arrays import Array, ComplexArray
+from ...sheet.arrays import Array, BoolArray, ComplexArray
 from ...sheet.record import record
 from ...sheet.units import Radian
 
@@ -47,6 +49,19 @@ class Motion:
         of: Array = ((self.a / by) @ waves).real
         return of
 
+    def at(self, points: Any) -> "Motion":
+        """The motion of some of the points, as numpy chooses rows."""
+        return Motion(self.orders, self.a[points], self.omega[points], self.cycle)
+
+
+def peak(values: Array) -> Array:
+    """The largest along the last axis, equal steps of one period, by the parabola through the largest and both of its
+    neighbours."""
+    k = np.argmax(values, -1)[..., None]
+    before, at, after = (np.take_along_axis(values, (k + i) % values.shape[-1], -1)[..., 0] for i in (-1, 0, 1))
+    bend = before - 2 * at + after
+    return at - np.divide((after - before) ** 2, 8 * bend, out=np.zeros_like(at), where=bend < 0)
+
 
 @record
 class Bodies:
@@ -66,4 +81,30 @@ class Bodies:
     stiffness: Array  # (B,) c_γα of 100 N/mm and more, in Pa
     gravity: ComplexArray | None = None  # (P, B): what gravity turns it by, Re{G·e^{i·order·ε}}, in N
     gravity_order: Array | None = None  # (B,) on the crank
-    sprung: Array | None = None  # (P, B): meshes that a split gear holds closed
+    sprung: BoolArray | None = None  # (P, B): meshes that a split gear holds closed
+
+    def at(self, points: Any) -> "Bodies":
+        """The train at some of the points, as numpy chooses rows."""
+        backlash = self.backlash if self.backlash.ndim == 1 else self.backlash[points]
+        gravity = None if self.gravity is None else self.gravity[points]
+        sprung = None if self.sprung is None else self.sprung[points]
+        return replace(self, drag=self.drag[points], backlash=backlash, gravity=gravity, sprung=sprung)
+
+    @cached_property
+    def before(self) -> BoolArray:
+        """(B, B): [i, d], body i is on the path from the first driver to d; d is on its own."""
+        path = np.eye(len(self.parent), dtype=bool)
+        for d, parent in enumerate(self.parent):
+            if parent >= 0:
+                path[:, d] |= path[:, parent]
+        return path
+
+    @cached_property
+    def ratio(self) -> Array:
+        """(B,): x₀'' at the mesh of a body over that of the first driver, Πρ of its path."""
+        return np.prod(np.where(self.before, self.rho[:, None], 1.0), 0)
+
+    @cached_property
+    def lever(self) -> Array:
+        """(B, B): [i, d], Πρ from body i to d behind it; 0 where d is not behind i."""
+        return np.where(self.before, self.ratio / self.ratio[:, None], 0.0)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bodies that fly between two flanks and strike without rebound: many at once, event by event.
+
+A lane is one body at one operating point.  y = x_driver − x_driven lies between 0, the driving flank, and −J, the coast
+flank.  What presses, p = x'' + g, holds the body on the driving flank where it is above 0, on the coast flank where it
+is below.  A body lets go where p changes sign against its flank, flies with y'' = p, strikes the first flank that it
+reaches, and stays there where p presses it to it; else it lets go at once.
+
+Time is counted in steps between the nodes of the motion: speeds are in metres a step, accelerations in metres a step²."""
+
+import numpy as np
+
+from ...sheet.arrays import Array, BoolArray, IndexArray
+from ...sheet.record import record
+
+EVENTS = 8  # without an orbit that closes by then all of them count
+PERIODS = 200  # of the motion, for one flight: what has met no flank by then meets none
+HALVINGS = 30
+SAME_PHASE = 1e-6  # of the period
+
+
+@record
+class Wave:
+    """Motions on the nodes of their period, R of them; each about its own mean."""
+
+    a: Array  # (R, K) in m/step²
+    v: Array  # (R, K) in m/step
+    x: Array  # (R, K) in m
+
+    def part(self, nodes: Array, row: IndexArray, start: IndexArray, length: int) -> Array:
+        """(L, length): what follows in a row from a node on, round the period."""
+        K = nodes.shape[1]
+        twice = np.concatenate((nodes, nodes), 1)
+        return twice.reshape(-1)[(row * 2 * K + start % K)[:, None] + np.arange(length)]
+
+
+@record
+class Events:
+    """Of L lanes, E events each: a letting-go, a flight, a strike.  What did not come about is NaN, its flank 0."""
+
+    let_go: Array  # (L, E + 1) in steps: the last is where it would go on
+    at: Array  # (L, E) in steps: the strike
+    left: IndexArray  # (L, E + 1): the flank that it lets go of, 1 driving, −1 coast
+    flank: IndexArray  # (L, E): the flank that is struck
+    slope: Array  # (L, E) y' at the strike, in m/step
+    press: Array  # (L, E) p at the strike, in m/step²
+    first: IndexArray  # (L,): the orbit has the events from here
+    last: IndexArray  # (L,): to here, this one left out
+    closes: BoolArray  # (L,): False: no orbit, all events stand for it
+
+
+def events(wave: Wave, row: IndexArray, g: Array, J: Array) -> Events:
+    """From the driving flank where it is pressed most, until a body lets go of the same flank at the same phase again.
+
+    `row` (L,) of the wave, g (L,) in m/step² and J > 0 (L,) in m of each lane; p must have both signs."""
+    L, K = row.size, wave.a.shape[1]
+    let_go, at, slope, press = (np.full((L, EVENTS + more), np.nan) for more in (1, 0, 0, 0))
+    left, flank = np.zeros((L, EVENTS + 1), int), np.zeros((L, EVENTS), int)
+    first, last, closes = np.zeros(L, int), np.zeros(L, int), np.zeros(L, bool)
+    left[:, 0] = 1
+    let_go[:, 0] = _letting_go(wave, row, g, left[:, 0], np.argmax(wave.a, 1)[row].astype(float))
+    lanes = np.arange(L)  # those that have not closed yet
+    for e in range(EVENTS):
+        rows, gs = row[lanes], g[lanes]
+        t, to, speed, p = _flight(wave, rows, gs, J[lanes], let_go[lanes, e], left[lanes, e])
+        if (lost := to == 0).any():
+            lanes, rows, gs, t, to, speed, p = (of[~lost] for of in (lanes, rows, gs, t, to, speed, p))
+        at[lanes, e], flank[lanes, e], slope[lanes, e], press[lanes, e] = t, to, speed, p
+        stays = to * p > 0
+        again = t.copy()
+        again[stays] = _letting_go(wave, rows[stays], gs[stays], to[stays], t[stays])
+        apart = np.abs(((again[:, None] - let_go[lanes, : e + 1]) / K + 0.5) % 1 - 0.5)
+        alike = (apart < SAME_PHASE) & (left[lanes, : e + 1] == to[:, None])
+        closed = alike.any(1)
+        let_go[lanes, e + 1], left[lanes, e + 1], last[lanes] = again, to, e + 1
+        first[lanes[closed]] = np.argmax(alike, 1)[closed]
+        closes[lanes[closed]] = True
+        lanes = lanes[~closed]
+        if not lanes.size:
+            break
+    E = max(int(last.max(initial=0)), 1)
+    return Events(
+        let_go[:, : E + 1], at[:, :E], left[:, : E + 1], flank[:, :E], slope[:, :E], press[:, :E], first, last, closes
+    )
+
+
+def _letting_go(wave: Wave, row: IndexArray, g: Array, side: IndexArray, since: Array) -> Array:
+    """When p next changes sign against a flank that it presses; linear between two nodes."""
+    K = wave.a.shape[1]
+    start = np.ceil(since).astype(int)
+    pressed = side[:, None] * (wave.part(wave.a, row, start, K) + g[:, None])
+    node = start + np.argmax(pressed < 0, 1)
+    p_0, p_1 = wave.a[row, (node - 1) % K] + g, wave.a[row, node % K] + g
+    return node - 1 + p_0 / (p_0 - p_1)
+
+
+def _flight(
+    wave: Wave, row: IndexArray, g: Array, J: Array, since: Array, side: IndexArray
+) -> tuple[Array, IndexArray, Array, Array]:
+    """Time and flank of the strike (0: none), y' and p there."""
+    K = wave.a.shape[1]
+    start = np.floor(since).astype(int)
+    k, s = start % K, since - start
+    after = (k + 1) % K
+    a_0, a_1, v_k = wave.a[row, k], wave.a[row, after], wave.v[row, k]
+    v_0 = _cubic(v_k, wave.v[row, after], a_0, a_1, s)
+    x_0 = _cubic(wave.x[row, k], wave.x[row, after], v_k, wave.v[row, after], s)
+    y_0 = np.where(side > 0, 0.0, -J) - x_0
+    node, to = np.zeros(row.size, int), np.zeros(row.size, int)
+    lanes = np.arange(row.size)
+    for period in range(PERIODS):
+        tau = (1 + period * K + np.arange(K)) - s[lanes, None]
+        y = wave.part(wave.x, row[lanes], start[lanes] + 1, K) + y_0[lanes, None]
+        y += tau * (0.5 * g[lanes, None] * tau - v_0[lanes, None])
+        over, under = y > 0, y < -J[lanes, None]
+        if period == 0:  # at the first node the flank that is left is met by rounding alone
+            over[:, 0] &= side < 0
+            under[:, 0] &= side > 0
+        outside = over | under
+        out = np.argmax(outside, 1)
+        met = outside[np.arange(lanes.size), out]
+        where = lanes[met]
+        node[where] = start[where] + 1 + period * K + out[met]
+        to[where] = np.where(over[met, out[met]], 1, -1)
+        lanes = lanes[~met]
+        if not lanes.size:
+            break
+    # the last panel: y, its slope and p at both of its ends
+    k_0, k_1 = (node - 1) % K, node % K
+    tau_0, tau_1 = node - 1 - since, node - since
+    y_a = y_0 + wave.x[row, k_0] + tau_0 * (0.5 * g * tau_0 - v_0)
+    y_b = y_0 + wave.x[row, k_1] + tau_1 * (0.5 * g * tau_1 - v_0)
+    w_a, w_b = wave.v[row, k_0] - v_0 + g * tau_0, wave.v[row, k_1] - v_0 + g * tau_1
+    p_a, p_b = wave.a[row, k_0] + g, wave.a[row, k_1] + g
+    wall = np.where(to > 0, 0.0, -J)
+    low, high = np.maximum(-tau_0, 0.0), np.ones(row.size)
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        beyond = to * (_cubic(y_a, y_b, w_a, w_b, middle) - wall) > 0
+        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+    return node - 1 + high, to, _cubic(w_a, w_b, p_a, p_b, high), p_a + (p_b - p_a) * high
+
+
+def _cubic(f_0: Array, f_1: Array, d_0: Array, d_1: Array, s: Array) -> Array:
+    """Hermite's cubic between two nodes, from the values and slopes at both."""
+    rise = f_1 - f_0
+    return f_0 + s * (d_0 + s * (3 * rise - 2 * d_0 - d_1 + s * (d_0 + d_1 - 2 * rise)))
