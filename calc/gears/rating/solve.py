@@ -13,7 +13,7 @@ from ...sheet.quantity import Described, Stated
 from ...sheet.record import record
 from ...sheet.step import Outcome, Table, finite
 from ...sheet.text import Text
-from ...sheet.units import Newton, NewtonMetre, Number, Pascal
+from ...sheet.units import Newton, NewtonMetre, Number, Pascal, RevPerSecond
 from ...sheet.value import about, recorded, trace
 from ..inputs import GearsInputs
 from ..limits import EXTREME
@@ -41,6 +41,16 @@ from .screening.scuffing import screening
 from .strength import contacts_per_turn, load_cycles, loading_of, rim_of
 
 ALONE = Surroundings()
+
+
+@formula("n", "kinematics: all wheels turn in proportion to the crank", unit="rpm", names={"r": "n_C/n_C,r"})
+def speed_there(n: RevPerSecond, r: Number) -> RevPerSecond:
+    """`r`: speed of the crank over that of the rating.
+
+    >>> speed_there(n=-40.0, r=0.5)
+    -20.0
+    """
+    return n * r
 
 
 @formula("K_H", "ISO 6336-1: product of the load factors, contact", names={"beta": "K_Hβ", "alpha": "K_Hα"})
@@ -134,6 +144,16 @@ class Loaded:
     K_F: Number
     strength: MeshStrength
 
+    @property
+    def contact(self) -> Number | None:
+        """S_H, the smaller of both wheels."""
+        return self.strength.safety_contact
+
+    @property
+    def bending(self) -> dict[str, Number | None]:
+        """S_F by wheel."""
+        return {name: root.S_F for name, root in self.strength.bending.items()}
+
 
 def _nominal_of(rating: MeshRating) -> Nominal:
     return Nominal(rating.tangential_force, rating.contact_stress, rating.contact_ratio_factor)
@@ -208,8 +228,8 @@ def _with_strength(
     strength class."""
     gears, train, driver, driven = context.gears, context.train, mesh.driver, mesh.driven
     sides = (
-        side(context, driver, roots[driver], _cycles(context, driver), load.reverses),
-        side(context, driven, roots[driven], _cycles(context, driven), load.reverses),
+        side(context, driver, roots[driver], contact_cycles(context, driver), load.reverses),
+        side(context, driven, roots[driven], contact_cycles(context, driven), load.reverses),
     )
     under = loaded(context, mesh, _nominal_of(rating), load.K_A, sides)
     screened = None
@@ -289,13 +309,17 @@ def loaded(
     return Loaded(K, K_H, K_F, mesh_strength(*sides, load))
 
 
-def _cycles(context: RatingContext, name: str) -> Number | None:
-    """Load cycles of a wheel at the speed of the rating, once a contact; None: no life is given."""
+def contact_cycles(context: RatingContext, name: str, speed_ratio: Number = 1.0) -> Number | None:
+    """Load cycles of a wheel whose every contact counts; None: no life is given.  `speed_ratio`: its speed over that of
+    the rating."""
     gears, wheel = context.gears, context.train.wheels[name]
     if gears.life is None:
         return None
+    n, c = abs(wheel.speed), float(contacts_per_turn(*_meshes(context, name)))
     with about(Text("wheel {name}", name=name)):
-        return load_cycles(n=abs(wheel.speed), L_h=gears.life, c=float(contacts_per_turn(*_meshes(context, name))))
+        if speed_ratio != 1.0:
+            n = speed_there(n=n, r=speed_ratio)
+        return load_cycles(n=n, L_h=gears.life, c=c)
 
 
 def _meshes(context: RatingContext, name: str) -> tuple[int, int]:
