@@ -24,11 +24,10 @@ from ...sheet.units import (
     NewtonMetre,
     Number,
     Radian,
-    RevPerSecond,
 )
 from ...sheet.value import about
-from ..inputs import GearsInputs
 from ..backlash.formulas import play_angle_at_base
+from ..inputs import GearsInputs
 from ..rating.influence import full_stiffness, inner_diameter
 from ..result import TrainResult
 from ..tree import TrainLink

@@ -6,8 +6,17 @@ from typing import TYPE_CHECKING
 
 from ...sheet.quantity import Stated, group, result, value
 from ...sheet.text import Text
-from ...sheet.units import KilogramMetre2, Metre, MetrePerSecond, Newton, NewtonMetre, Number, RadPerSecond2
-from ...sheet.units import RevPerSecond, Watt
+from ...sheet.units import (
+    KilogramMetre2,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonMetre,
+    Number,
+    RadPerSecond2,
+    RevPerSecond,
+    Watt,
+)
 from .scissor import ScissorResult
 
 if TYPE_CHECKING:
