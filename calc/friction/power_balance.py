@@ -25,7 +25,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import power
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
-from ..sheet.units import Celsius, KilogramPerMetre3, Newton, Number, RevPerSecond, Watt
+from ..sheet.units import Celsius, KilogramPerMetre3, Metre, Newton, Number, RevPerSecond, Watt
 from ..sheet.value import about, based_on, converged, unlinked, untraced
 from . import models
 from .inputs import FrictionInputs
@@ -338,6 +338,13 @@ class TrainDrive:
         if isinstance(link, StageGeometry):
             return stage_loss.function(P, link.efficiency)
         return power_lost(self.cases[name], P, self.friction.film == "judged", rolling=self.rolling)
+
+    def loss_on(self, name: str, P: Watt, b: Metre) -> Watt:
+        """Of a mesh on the width b of its teeth, with the oil and at the speed that it has here."""
+        whole, link = self.cases[name], self.cases[name].mesh
+        narrow = replace(link, driver=replace(link.driver, face_width=b), driven=replace(link.driven, face_width=b))
+        part = case(self.friction, narrow, whole.oil, self.wheels[link.driver.name].speed, whole.warming)
+        return power_lost(part, P, self.friction.film == "judged", rolling=self.rolling)
 
     def at_teeth(self, wheel: str, P: Watt, loads: Mapping[str, Watt]) -> Watt | None:
         """What the teeth of a wheel carry that needs P besides what it drives: all that it takes in by a mesh, and what

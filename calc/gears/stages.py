@@ -11,7 +11,7 @@ from ..sheet.check import Check, CheckRule
 from ..sheet.formula import formula
 from ..sheet.functions import pi, sin
 from ..sheet.quantity import dotted, result, value
-from ..sheet.text import Text
+from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Newton, NewtonMetre, Number, Radian, RevPerSecond
 from ..sheet.value import about
 from .inputs import GearsInputs, Stage
@@ -153,11 +153,23 @@ def checks(gears: GearsInputs) -> Iterator[Check]:
 
 
 def slack_checks(gears: GearsInputs, least: Mapping[str, Newton]) -> Iterator[Check]:
-    """`least`: force in the strand that pulls, by stage."""
+    """`least`: least force in the strand that pulls, by stage, of all speeds and loads that are known."""
     for stage in gears.stages:
         if stage.name in least and stage.tensioner is not None:
             name = Text("Force in the slack strand where the torque reverses, {name}", name=stage.name)
             yield SLACK(max(-least[stage.name], 0.0), stage.tensioner, at=stage.name, name=name)
+
+
+def slack_notes(gears: GearsInputs, least: Mapping[str, Newton]) -> Iterator[Text]:
+    """What of a chain or belt whose torque reverses is not judged; `least` as in `slack_checks`."""
+    for stage in gears.stages:
+        if stage.tensioner is None and least.get(stage.name, 0.0) < 0:
+            yield Text(
+                "The torque of {name} reverses: its slack strand takes up to {F}, and what its tensioner holds is not "
+                "known; give gears.stages.{name}.tensioner_N.",
+                name=stage.name,
+                F=Amount(-least[stage.name], "N", digits=3),
+            )
 
 
 def notes(gears: GearsInputs) -> Iterator[Text]:

@@ -29,6 +29,7 @@ PerMetre = Annotated[float, "1/m"]
 NewtonPerMetre = Annotated[float, "N/m"]
 NewtonSecondPerMetre = Annotated[float, "N·s/m"]
 NewtonMetre = Annotated[float, "N·m"]
+NewtonMetrePerRadian = Annotated[float, "N·m/rad"]
 NewtonMetre2 = Annotated[float, "N·m²"]
 Pascal = Annotated[float, "Pa"]
 PascalSecond = Annotated[float, "Pa·s"]
@@ -156,6 +157,7 @@ _ROWS = (  # symbol, suffix of keys, factor
     ("kN", "_kN", 1e3),
     ("N·m", "_Nm", 1.0),
     ("N·mm", "_Nmm", 1e-3),
+    ("N·m/°", "_Nm_deg", 180 / PI),
     ("N/mm", "_N_mm", 1e3),
     ("kN/mm", "_kN_mm", 1e6),
     ("N/m", "_N_m", 1.0),

@@ -37,8 +37,8 @@ def tangential_force_of(F: Newton, alpha_t: Radian) -> Newton:
 
 @formula(
     "c",
-    "combinatorics, rule of this program: strikes of one firing that one flank of one tooth meets in a working cycle; "
-    "q: denominator of the turns of its wheel from firing to firing, in lowest terms",
+    "rule of this program: the hardest strike of each firing counts, and a tooth meets its share of them in a working "
+    "cycle; q: denominator of the turns of its wheel from firing to firing, in lowest terms",
 )
 def strikes_of_tooth(s: Number, q: Number, z: Number) -> Number:
     """`s`: firings of a working cycle that are alike; `z`: teeth.  The wheel stands in q places at the strikes; where
@@ -52,8 +52,7 @@ def strikes_of_tooth(s: Number, q: Number, z: Number) -> Number:
 
 @formula(
     "N_L",
-    "ISO 6336-6: strikes on one flank of one tooth over the life; n_C: speed of the crank, a working cycle is i/2 turns, "
-    "c of its strikes are one tooth's",
+    "ISO 6336-6: strikes on one flank of one tooth over the life, c in a working cycle of i/2 turns of the crank",
     names={"n": "n_C"},
 )
 def strike_cycles(n: RevPerSecond, L_h: Second, i: Number, c: Number) -> Number:

@@ -18,7 +18,7 @@ from ...sheet.value import about, recorded, trace
 from ..inputs import GearsInputs
 from ..limits import EXTREME
 from ..result import MeshResult, TrainResult
-from ..stages import least_strand_force, slack_checks
+from ..stages import least_strand_force, slack_checks, slack_notes
 from . import curves, source_sheet
 from . import mesh_strength as nominal
 from . import stress as s
@@ -105,7 +105,7 @@ def rating(
         curves=Later(lambda: curves.curves(rated)),
         tables=Later(tables),
         errata=Later(lambda: source_sheet.errata(train, rated)),
-        notes=Later(lambda: notes(context, rated, load)),
+        notes=Later(lambda: (*notes(context, rated, load), *slack_notes(gears, strands))),
     )
 
 

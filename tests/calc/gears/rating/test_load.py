@@ -24,6 +24,7 @@ from calc.gears.rating.load import (
     wheel_inertia,
 )
 from calc.gears.rating.solve import rating
+from calc.gears.stages import slack_notes
 from calc.library.catalogue import materials
 from calc.solve import solve
 from tests.calc.gears.trains import SPEED, r753, solved
@@ -237,5 +238,8 @@ def test_the_slack_strand_is_judged_where_its_force_is_known():
     for tensioner, verdict in ((-1.01 * force, "pass"), (-0.99 * force, "note")):
         _, (check,) = slack(tensioner)
         assert check.verdict == verdict and check.value == pytest.approx(-force)
+    said = "its slack strand takes up to"
+    assert [said in str(note) for note in slack_notes(gears, {"chain": force})] == [True]
+    assert not [*slack_notes(gears, {"chain": 1.0}), *slack_notes(behind_a_chain(tensioner=5.0), {"chain": force})]
     outcome = rating(gears, train, 1.0, materials())
-    assert not outcome.solution.least_strand_forces
+    assert not outcome.solution.least_strand_forces and not any(said in str(note) for note in outcome.notes)
