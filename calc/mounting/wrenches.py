@@ -18,6 +18,7 @@ from ..engine.crank import firing
 from ..engine.cycle import Cycle, MixedCycle
 from ..engine.gas import GasInputs
 from ..engine.inputs import EngineInputs
+from ..engine.operation import changes, over_speed
 from ..engine.result import EngineResult
 from ..engine.torque import prepare
 from ..imbalance.result import ImbalanceResult
@@ -29,7 +30,7 @@ from ..sheet.units import Number, Radian, RevPerSecond
 from ..sheet.value import about, based_on, untraced
 from . import excitation as x
 from .excitation import Moving, index, integer, moving, turning_wrench
-from .inputs import GAS, SEVERAL_WORDS, VARIANT_WORDS, MountingInputs, Operation
+from .inputs import SEVERAL_WORDS, VARIANT_WORDS, MountingInputs, Operation
 
 # --- the gas torque of one cylinder, order by order, at as many speeds as are asked for
 # The pressures go linearly from speed to speed.
@@ -132,8 +133,7 @@ class Nodes:
 def nodes(engine: EngineInputs, e: EngineResult, gas: GasInputs, rows: Sequence[Operation], n: Array) -> Nodes:
     """Rows that say something of the gas are nodes; where there are none, [engine.gas] holds at every speed."""
     given = sorted((row for row in rows if row.has_gas), key=lambda row: row.speed)
-    changed = [{key: value for key in GAS if (value := getattr(row, key)) is not None} for row in given]
-    cycles = tuple(prepare(engine, e, replace(gas, **change)) for change in changed) or (prepare(engine, e, gas),)
+    cycles = tuple(prepare(engine, e, replace(gas, **changes(row))) for row in given) or (prepare(engine, e, gas),)
     speeds = np.array([row.speed for row in given] or [engine.rated_speed])
     of = basis if isinstance(cycles[0].given, MixedCycle) else of_table
     return Nodes(speeds, cycles, of(engine, e, cycles[0], n))
@@ -347,7 +347,7 @@ def drive(
         variants=tuple(variants),
         inertia=at_gravity,
         torque_of_masses=based_on(torque, turning.harmonics),
-        nodes=nodes(engine, e, engine.gas, mounting.operation, n) if engine.gas is not None else None,
+        nodes=nodes(engine, e, engine.gas, running(mounting, engine), n) if engine.gas is not None else None,
         spread=_spread(mounting, engine, fires.order),
         fires=fires.angles,
         r_G=np.asarray(mounting.centre_of_gravity),
@@ -407,8 +407,17 @@ def _spread(mounting: MountingInputs, engine: EngineInputs, order: tuple[int, ..
     return based_on(spread, given)
 
 
+def running(mounting: MountingInputs, engine: EngineInputs) -> tuple[Operation, ...]:
+    """The operations, else how the engine runs over its speed: without hours, which are shares there and no hours a
+    day."""
+    return mounting.operation or tuple(
+        Operation(name=row.name, speed=row.speed, **changes(row))
+        for row in over_speed(engine.operation, mounting.idle_speed)
+    )
+
+
 def operating(mounting: MountingInputs, engine: EngineInputs) -> tuple[tuple[str, RevPerSecond, float], ...]:
     """Name, speed and hours of every operation; where none is given, idle and rated."""
-    if mounting.operation:
-        return tuple((row.name, row.speed, row.hours or 0.0) for row in mounting.operation)
+    if rows := running(mounting, engine):
+        return tuple((row.name, row.speed, row.hours or 0.0) for row in rows)
     return ("idle", mounting.idle_speed, 0.0), ("rated", engine.rated_speed, 0.0)
