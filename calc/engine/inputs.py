@@ -406,7 +406,8 @@ class EngineInputs:
         within=(200, 3000),
         symbol="n_i",
         rule_of_thumb=(500, 1800),
-        help="Left out: that of [mounting], else 0.13 of the rated speed, from 600 to 1300 rpm.",
+        help="At which the engine runs by itself. Left out: that of [mounting], else 0.13 of the rated speed, held "
+        "from 600 to 1300 rpm.",
         repair="asked",
         fold=GAS,
     )

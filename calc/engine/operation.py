@@ -20,6 +20,7 @@ class OfGas:
     """A row that may say something of the gas at its speed."""
 
     __slots__ = ()
+    speed: float
 
     @property
     def has_gas(self) -> bool:
