@@ -10,7 +10,8 @@ from ..countershaft.formulas import reaction
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow, called, row_key
 from ..countershaft.twins import How
-from ..engine.inputs import BenchPoint, EngineInputs
+from ..engine.inputs import EngineInputs
+from ..engine.operation import BenchPoint
 from ..library.catalogue import Material, Oil
 from ..library.lubricant import Lubricant
 from ..sheet.arrays import Array

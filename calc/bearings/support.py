@@ -14,7 +14,7 @@ from ..countershaft.outline import Outline
 from ..countershaft.rows import BearingRow, row_key
 from ..draw.annotations import Say, SheetTable
 from ..draw.drawing import Sketch
-from ..engine.inputs import BenchPoint, Operation
+from ..engine.operation import BenchPoint, Operation
 from ..library.catalogue import Material
 from ..library.journal_rules import named_at
 from ..library.lubricant import Lubricant, OilState

@@ -16,12 +16,13 @@ from ..countershaft.making.inputs import Bolts
 from ..countershaft.rows import SHAFT, BearingRow, said_in
 from ..countershaft.twins import Resolved, resolved
 from ..engine.inputs import EngineInputs
+from ..engine.operation import Operation
 from ..friction.inputs import FrictionInputs, Scenario, Seal
 from ..gears.inputs import ONLY, GearsInputs
 from ..gears.wheel_inputs import Wheel
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.catalogue import Material, Oil, materials, oils
-from ..mounting.inputs import MountingInputs
+from ..mounting.inputs import RESERVED, MountingInputs
 from ..sheet.quantity import (
     Quantity,
     day,
@@ -596,6 +597,10 @@ class Design:
                 yield dotted(Design.mounting), Text("needs [{key}], which says what shakes the engine", key=key)
         if self.engine is not None:
             yield from _within("mounting", self._on_mounts(mounting, self.engine))
+            for i, row in enumerate(() if mounting.operation else self.engine.operation):
+                if row.name in RESERVED:
+                    named = dotted(Design.engine, EngineInputs.operation, i, Operation.name)
+                    yield named, Text("stands for something else in the names of values of [mounting]; take another")
 
     def _on_mounts(self, mounting: MountingInputs, engine: EngineInputs) -> Problems:
         rated, gas, spread = Amount(engine.rated_speed * 60, "rpm"), engine.gas, mounting.cylinder_spread

@@ -214,7 +214,7 @@ def in_context(label: Text, id: str) -> Text:
 CHOICE_WORDS: dict[str, str] = {
     # engine, crank and shaft
     "inline": Text("inline"), "vee": Text("vee"), "boxer": Text("boxer"), "w": "W", "exact": Text("exact"),
-    "two_term": Text("two terms"),
+    "two_term": Text("two terms"), "throttled": Text("by a throttle"), "unthrottled": Text("by the fuel alone"),
     "equal": Text("equal"), "per_pin": Text("per pin"), "least_squares": Text("least squares"), "given": Text("given"),
     "size": Text("sized"),
     "bearings": Text("its bearings alone"), "plain": Text("plain"), "open": Text("open"),

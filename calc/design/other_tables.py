@@ -188,7 +188,8 @@ class OptimiseInputs:
         "Duty cycle",
         CyclePoint,
         default=(),
-        help="Speeds with their hours, over which the power is a mean. Left out: the power at the rated speed.",
+        help="Speeds with their hours, over which the power is a mean. Left out: those of [[engine.operation]], else "
+        "the power at the rated speed.",
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:

@@ -158,7 +158,7 @@ BENCH = {
 
 def _of_bench(address: str, design: Design, speed: float) -> bool:
     """Whether the engine's bench run says what an input is at a speed."""
-    speeds = [row.speed for row in design.engine.bench] if design.engine is not None else []
+    speeds = [row.speed for row in design.engine.gallery] if design.engine is not None else []
     return address in BENCH and bool(speeds) and min(speeds) <= speed <= max(speeds)
 
 
@@ -174,8 +174,8 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
         clearances = [values.get(dotted(ids, row.name, PlainResult.clearance)) for row in view.rows]
         if view.own is not None:
             changed = changed.with_shaft(replace(view.own, bearings=tuple(map(_as_made, view.rows, clearances))))
-    if design.engine.bench:
-        run = sorted(design.engine.bench, key=lambda row: row.speed)
+    if design.engine.gallery:
+        run = sorted(design.engine.gallery, key=lambda row: row.speed)
         if run[0].speed <= speed <= run[-1].speed:
             speeds = [row.speed for row in run]
             temperature = float(np.interp(speed, speeds, [row.oil_temperature for row in run]))

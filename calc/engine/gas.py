@@ -4,7 +4,7 @@
 from collections.abc import Iterable, Iterator
 from math import pi
 
-from ..sheet.quantity import dotted, inputs, quantity, tables
+from ..sheet.quantity import choice, dotted, inputs, quantity, tables
 from ..sheet.text import Amount, Text
 
 FEWEST_POINTS = 8  # of a pressure table
@@ -104,6 +104,13 @@ class GasInputs:
         symbol="epsilon_p",
         rule_of_thumb=(0, 30),
         help="Crank angle after TDC. Left out: 10°.",
+    )
+    charge: str | None = choice(
+        "How load is made",
+        "throttled",
+        "unthrottled",
+        default=None,
+        help="For idle and part load. Left out: unthrottled from a compression ratio of 14 on.",
     )
     pressure: tuple[PressurePoint, ...] = tables(
         "Indicated pressure",

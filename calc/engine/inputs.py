@@ -8,6 +8,7 @@ from typing import ClassVar
 from ..sheet.quantity import choice, dotted, inputs, integer, integers, keys, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .gas import GasInputs, cycle_problems
+from .operation import BenchPoint, CrankTwist, Operation, operation_problems
 
 # --- a crank throw
 
@@ -171,65 +172,6 @@ TWO_STROKE = {
 def usual_order(cylinders: int, strokes: int) -> tuple[int, ...] | None:
     """The firing order that is taken for an inline engine where none is given."""
     return (FOUR_STROKE if strokes == 4 else TWO_STROKE).get(cylinders)
-
-
-@inputs
-class Operation:
-    """A part of the engine's life: at which speed and load, for how long, with which oil."""
-
-    name: str = text("Name", help="idle, cruise, rated or any other word.")
-    speed: float = quantity("Speed", "rpm", up_to=1e5, symbol="n", help="Of the crank.", repair="asked")
-    load: float = quantity(
-        "Load", "%", default=1.0, within=(-100, 200), symbol="p", help="Of the full load at this speed.", repair="asked"
-    )
-    hours: float | None = quantity(
-        "Hours",
-        default=None,
-        up_to=1e9,
-        symbol="w",
-        help="In any unit: their shares count. Left out: not a part of the bearings' duty.",
-        repair="asked",
-    )
-    oil_temperature: float | None = quantity(
-        "Oil temperature",
-        "°C",
-        default=None,
-        within=(-40, 200),
-        symbol="T_oil",
-        help="Where it reaches the bearings. Left out: their supply_temperature_C.",
-        repair="asked",
-    )
-
-
-@inputs
-class BenchPoint:
-    """One row of a bench run: the main gallery's oil at a speed."""
-
-    speed: float = quantity(
-        "Speed",
-        "rpm",
-        within=(1, 30000),
-        symbol="n",
-        help="Speed of the crank in this row of the bench run.",
-        repair="asked",
-    )
-    oil_temperature: float = quantity(
-        "Oil temperature",
-        "°C",
-        within=(-40, 200),
-        symbol="T_in",
-        rule_of_thumb=(60, 140),
-        help="Oil in the main gallery at this speed.",
-        repair="asked",
-    )
-    oil_pressure: float = quantity(
-        "Oil pressure",
-        "bar",
-        within=(0, 100),
-        symbol="p_s",
-        rule_of_thumb=(1, 6),
-        help="Oil in the main gallery at this speed, above ambient.",
-    )
 
 
 @inputs
@@ -457,6 +399,18 @@ class EngineInputs:
         decides=7,
         taken_by=("imbalance", "countershaft", "bearings", "gears"),
     )
+    idle_speed: float | None = quantity(
+        "Idle speed",
+        "rpm",
+        default=None,
+        within=(200, 3000),
+        symbol="n_i",
+        rule_of_thumb=(500, 1800),
+        help="At which the engine runs by itself. Left out: that of [mounting], else 0.13 of the rated speed, held "
+        "from 600 to 1300 rpm.",
+        repair="asked",
+        fold=GAS,
+    )
     rated_power: float | None = quantity(
         "Rated power",
         "kW",
@@ -483,11 +437,23 @@ class EngineInputs:
         "Operation",
         Operation,
         default=(),
-        help="Parts of the engine's life: what its bearings are judged by.",
+        help="How the engine runs: speed and load, with gas, oil and hours. Bearings, gear train and mounts read it.",
         fold=GAS,
     )
     bench: tuple[BenchPoint, ...] = tables(
-        "Bench run", BenchPoint, default=(), help="Oil in the main gallery over speed.", fold=GAS
+        "Bench run",
+        BenchPoint,
+        default=(),
+        help="Oil in the main gallery over speed. Left out: the rows of [[engine.operation]] with temperature and "
+        "pressure of the oil.",
+        fold=GAS,
+    )
+    crank_twist: CrankTwist | None = table(
+        "Twist of the crank",
+        CrankTwist,
+        default=None,
+        help="Its first mode, for a gear train at its nose. Left out: the crank is rigid.",
+        fold=GAS,
     )
 
     gas: GasInputs | None = table(
@@ -512,6 +478,19 @@ class EngineInputs:
     throw: ThrowInputs | None = table(
         "Crank throw", ThrowInputs, default=None, help="Pin, journal and web: stresses of the crank.", fold=GAS
     )
+
+    @property
+    def gallery(self) -> tuple[BenchPoint, ...]:
+        """The oil in the main gallery: the bench run, else the rows of operation that say both of it, of equal speeds
+        the one of the highest load."""
+        if self.bench:
+            return self.bench
+        rows = {
+            row.speed: BenchPoint(speed=row.speed, oil_temperature=row.oil_temperature, oil_pressure=row.oil_pressure)
+            for row in sorted(self.operation, key=lambda row: row.load)
+            if row.oil_temperature is not None and row.oil_pressure is not None
+        }
+        return tuple(rows.values())
 
     @property
     def unlike_masses(self) -> bool:
@@ -559,6 +538,12 @@ class EngineInputs:
         yield from diagram_problems(self.torque, self.torque_period, self.strokes, self.gas is not None)
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
+        operation = dotted(EngineInputs.operation)
+        for key, reason in operation_problems(self.operation, self.gas, self.strokes):
+            yield f"{operation}.{key}", reason
+        if self.idle_speed is not None and self.idle_speed >= self.rated_speed:
+            rated = Amount(self.rated_speed * 60, form="g")
+            yield dotted(EngineInputs.idle_speed), Text("must stay below the rated speed, {rated} rpm", rated=rated)
         if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
             yield dotted(EngineInputs.rod_cg_to_big_end), Text("must not exceed the rod length")
         if n != n:  # not given as a number: nothing to compare with

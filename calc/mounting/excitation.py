@@ -9,34 +9,23 @@ from typing import Annotated
 
 import numpy as np
 
+from ..engine.gas_torque import index
 from ..imbalance.orders import Order
 from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, modulus
 from ..sheet.units import (
     NewtonMetre,
-    Newtons,
     Number,
-    Numbers,
     PhasorNewton,
     PhasorNewtonMetre,
     PhasorNewtonMetres,
     PhasorNewtons,
     Radian,
-    Radians,
 )
 from ..sheet.value import based_on
 
-HIGHEST = 8
-SAMPLES = 7200  # over a cycle
 REAL = "kinematics: a vector that turns forward and one that turns backward, as phasors of their components"
-
-
-def orders_of(strokes: int) -> Array:
-    """0.5, 1, … 8 of a four-stroke engine, 1, 2, … 8 of a two-stroke."""
-    first = 2.0 / strokes
-    orders: Array = np.arange(1, round(HIGHEST / first) + 1, dtype=float) * first
-    return orders
 
 
 def order_word(n: float) -> str:
@@ -93,43 +82,6 @@ def couple_ratio(C: PhasorNewtonMetre, C_left: PhasorNewtonMetre) -> Number:
     return modulus(C) / modulus(C_left)
 
 
-# --- torque of the gas
-
-
-@formula(
-    "t_n",
-    "mathematics: Fourier analysis of the gas torque of one cylinder over its working cycle",
-    shows="2/N·Σ T_k(ε_j)·e^(−i·n·ε_j), N = 7200; T_k of the mixed cycle as the engine has it",
-)
-def one_cylinder(
-    basis: PhasorNewtonMetres, p_max: Newtons, p_2: Newtons, p_ex: Newtons, p_in: Newtons, p_case: Newtons
-) -> PhasorNewtonMetres:
-    """The torque is linear in the pressures: `basis` holds what each of them does, so that many speeds cost no more
-    than one."""
-    at = np.asarray(basis)
-    parts = np.stack(np.broadcast_arrays(p_max, p_2, p_ex, p_in, p_case), -1)[..., None]
-    torque: ComplexArray = np.sum(parts * at, -2)
-    return torque
-
-
-@formula(
-    "t_n",
-    "mathematics: the cylinders one after the other, the gas torque of each with its spread ε_k, the inertia torque "
-    "alike",
-    shows="Σ_k t_G,n·(1 + ε_k)·e^(−i·n·f_k) + t_I,n",
-    names={"fires": "f"},
-)
-def all_cylinders(
-    t_one: PhasorNewtonMetres, t_inertia: PhasorNewtonMetres, spread: Numbers, fires: Radians, n: Numbers
-) -> PhasorNewtonMetres:
-    turned = np.exp(-1j * np.asarray(n)[:, None] * fires)
-    sums = (turned * (1 + np.asarray(spread))).sum(-1)
-    sums[np.abs(sums) < 1e-12 * turned.shape[1]] = 0.0
-    torque: ComplexArray = t_one * sums + t_inertia
-    torque = np.where(np.abs(torque) < 1e-12 * np.abs(torque).max(-1, keepdims=True), 0.0, torque)
-    return torque
-
-
 @formula("T_n", "mathematics: amplitude of one order of the torque on the crank")
 def amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(t_n)
@@ -155,18 +107,6 @@ def strength(F: ComplexArray, M: ComplexArray, rho: float) -> Array:
 # --- from the vectors of the imbalance step, order by order, to the wrench about the crank's origin
 
 Moving = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]  # F⁺ F⁻ C⁺ C⁻ of every order
-
-
-def index(n: Array, order: float) -> int:
-    return int(np.argmin(np.abs(n - order)))
-
-
-def integer(harmonics: tuple[complex, ...], n: Array) -> ComplexArray:
-    """Harmonics of the turn at their places among the orders of the cycle."""
-    placed = np.zeros(n.size, dtype=complex)
-    for order, harmonic in enumerate(harmonics, 1):
-        placed[index(n, order)] = harmonic
-    return placed
 
 
 def moving(n: Array, orders: dict[str, Order], *, bare: bool) -> Moving:

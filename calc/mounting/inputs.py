@@ -7,8 +7,10 @@ import math
 from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
 
+from ..engine.operation import OfGas
+from ..engine.operation import Operation as EngineOperation
 from ..sheet.arrays import Array
-from ..sheet.quantity import choice, dotted, inputs, integer, quantity, series, table, tables, text
+from ..sheet.quantity import as_in, choice, dotted, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import COMMA, Amount, Text
 
 # --- the inertia tensor of a rigid body, and whether a body can have it
@@ -320,7 +322,7 @@ class Point:
 
 
 @inputs
-class Operation:
+class Operation(OfGas):
     """A speed at which the engine runs, and its gas there where it differs from that of [engine.gas]."""
 
     name: str = text("Name", help="Letters, digits and -.")
@@ -330,52 +332,11 @@ class Operation:
     hours: float | None = quantity(
         "Hours a day", default=None, within=(0, DAY), symbol="T", help="For the daily exposure."
     )
-    peak_pressure: float | None = quantity(
-        "Peak pressure",
-        "bar",
-        default=None,
-        up_to=1000,
-        symbol="p_max",
-        rule_of_thumb=(10, 220),
-        help="At this speed, absolute; left out: that of [engine.gas].",
-    )
-    intake_pressure: float | None = quantity(
-        "Intake pressure",
-        "bar",
-        default=None,
-        up_to=100,
-        symbol="p_in",
-        rule_of_thumb=(0.3, 3.5),
-        help="At this speed, absolute; left out: that of [engine.gas].",
-    )
-    exhaust_pressure: float | None = quantity(
-        "Exhaust pressure",
-        "bar",
-        default=None,
-        up_to=100,
-        symbol="p_ex",
-        rule_of_thumb=(1, 4),
-        help="At this speed, absolute; left out: that of [engine.gas].",
-    )
-    crankcase_pressure: float | None = quantity(
-        "Crankcase pressure",
-        "bar",
-        default=None,
-        within=(0, 100),
-        symbol="p_case",
-        help="At this speed, absolute; left out: that of [engine.gas].",
-    )
-    constant_pressure_angle: float | None = quantity(
-        "Peak pressure held for", "°", default=None, within=(0, 90), symbol="epsilon_p", help="Crank angle after TDC."
-    )
-
-    @property
-    def has_gas(self) -> bool:
-        """Whether the row says something of the gas: it is a node then, between which other speeds lie."""
-        return any(getattr(self, key) is not None for key in GAS)
-
-
-GAS = ("peak_pressure", "intake_pressure", "exhaust_pressure", "crankcase_pressure", "constant_pressure_angle")
+    peak_pressure: float | None = as_in(EngineOperation.peak_pressure, default=None)
+    intake_pressure: float | None = as_in(EngineOperation.intake_pressure, default=None)
+    exhaust_pressure: float | None = as_in(EngineOperation.exhaust_pressure, default=None)
+    crankcase_pressure: float | None = as_in(EngineOperation.crankcase_pressure, default=None)
+    constant_pressure_angle: float | None = as_in(EngineOperation.constant_pressure_angle, default=None)
 
 
 # --- the step
@@ -570,7 +531,12 @@ class MountingInputs:
         help="Where it is felt. The foremost seat, and the foremost point of the engine, stand for the others.",
     )
     operation: tuple[Operation, ...] = tables(
-        "Operations", Operation, default=(), help="Left out: idle and rated.", fold=FRAME
+        "Operations",
+        Operation,
+        default=(),
+        help="Left out: those of [[engine.operation]], without its hours, which are no hours a day; else idle and "
+        "rated.",
+        fold=FRAME,
     )
 
     @property

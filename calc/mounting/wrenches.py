@@ -1,175 +1,30 @@
 # SPDX-License-Identifier: Apache-2.0
 """What shakes the engine: the wrenches on its centre of gravity, every order, every variant of the balancing.
 
-All hold at any speeds.  The gas torque comes first, the wrenches after it."""
+All hold at any speeds."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
-from functools import cache
 from statistics import NormalDist
 
 import numpy as np
 
 from ..countershaft.sums import SystemShaft, pairs_of
-from ..engine import cycle as c
-from ..engine import formulas as kinematics
 from ..engine.crank import firing
-from ..engine.cycle import Cycle, MixedCycle
-from ..engine.gas import GasInputs
+from ..engine.gas_torque import Nodes, all_cylinders, harmonics, index, integer, nodes, orders_of
 from ..engine.inputs import EngineInputs
+from ..engine.operation import changes, over_speed
 from ..engine.result import EngineResult
-from ..engine.torque import prepare
 from ..imbalance.result import ImbalanceResult
 from ..imbalance.shaft_pair import roll_backward, roll_forward
-from ..sheet.arrays import Array, ComplexArray, IndexArray
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.record import record
 from ..sheet.text import Name, Text
 from ..sheet.units import Number, Radian, RevPerSecond
-from ..sheet.value import about, based_on, untraced
+from ..sheet.value import about, based_on
 from . import excitation as x
-from .excitation import Moving, index, integer, moving, turning_wrench
-from .inputs import GAS, SEVERAL_WORDS, VARIANT_WORDS, MountingInputs, Operation
-
-# --- the gas torque of one cylinder, order by order, at as many speeds as are asked for
-# The pressures go linearly from speed to speed.
-
-INSIDE = 1e-9  # rad: a sample so near to the end of the held pressure belongs to it
-BEYOND = 1e-9  # of a speed: so little outside of the nodes is none
-
-
-@record
-class Basis:
-    """What 1 Pa does over the parts of the cycle for every order, and at each sample up to BDC (orders twice, cosines
-    over sines, …)."""
-
-    epsilon: Array  # (samples up to BDC,)
-    held: Array  # constant pressure
-    expanding: Array  # the same times how a polytrope falls
-    fixed: ComplexArray  # (parts, orders): exhaust, intake with compression, crankcase
-
-    def up_to(self, until: IndexArray) -> tuple[ComplexArray, ComplexArray]:
-        """Held pressure up to each of these samples, and expansion from there to BDC (speeds, orders)."""
-        ends, which = np.unique(np.concatenate([until, [self.epsilon.size]]), return_inverse=True)
-        starts = np.concatenate([[0], ends[:-1]])
-        held, fallen = (
-            np.cumsum(np.add.reduceat(part, starts, axis=1), axis=1).T for part in (self.held, self.expanding)
-        )
-        at = which[:-1]
-        return _together(held[at]), _together(fallen[which[-1]] - fallen[at])
-
-
-def _together(parts: Array) -> ComplexArray:
-    """Cosine and sine parts, side by side along the last axis, as phasors."""
-    half = parts.shape[-1] // 2
-    return parts[..., :half] - 1j * parts[..., half:]
-
-
-def basis(engine: EngineInputs, e: EngineResult, cycle: Cycle, n: Array) -> Basis:
-    """Of the mixed cycle of an engine; the samples are evenly spaced over the working cycle, its parts follow each
-    other."""
-    g = cycle.given
-    assert isinstance(g, MixedCycle)
-    epsilon, arm, way = _arms(engine, e, cycle)
-    turning = _turning(tuple(n.tolist()), float(cycle.length))
-    h_c, s, bdc, turn = float(g.h_c), float(g.s), float(g.eps_bdc), float(cycle.length) - c.TURN
-    last, exhaust, intake = np.searchsorted(epsilon, (bdc, turn, turn + bdc), side="right").tolist()
-    exhaust = max(last, int(np.searchsorted(epsilon, turn, side="left")))  # a two-stroke engine has neither of the two
-    intake = max(last, intake)
-    pressed = arm.copy()
-    pressed[intake:] *= ((h_c + s) / (h_c + way[intake:])) ** float(g.n_c)
-    fixed = np.stack(
-        [
-            turning[:, last:exhaust] @ arm[last:exhaust],
-            turning[:, exhaust:] @ pressed[exhaust:],
-            -(turning @ arm),
-        ]
-    )
-    held = turning[:, :last] * arm[:last]
-    return Basis(epsilon[:last], held, held * (h_c + way[:last]) ** -float(g.n_e), _together(fixed))
-
-
-@cache
-def _turning(orders: tuple[float, ...], length: float) -> Array:
-    """Cosines and sines of every order at the samples of a cycle (orders twice, samples)."""
-    angles = np.array(orders)[:, None] * np.arange(x.SAMPLES) * (length / x.SAMPLES)
-    return np.concatenate([np.cos(angles), np.sin(angles)])
-
-
-def _arms(engine: EngineInputs, e: EngineResult, cycle: Cycle) -> tuple[Array, Array, Array]:
-    """Sample angles, what 1 Pa does there on the crank, over half the samples, and the piston's way."""
-    epsilon: Array = np.arange(x.SAMPLES, dtype=float) * (float(cycle.length) / x.SAMPLES)
-    with untraced():
-        alpha = e.tdc_angle + epsilon
-        beta = kinematics.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
-        v_rel = kinematics.relative_speed(alpha=alpha, beta=beta)
-        way = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-        arm = c.torque_of(F=c.gas_force(p=1.0, p_case=0.0, D=engine.bore), r=engine.crank_radius, v_rel=v_rel)
-    return epsilon, arm * (2.0 / x.SAMPLES), way
-
-
-def of_table(engine: EngineInputs, e: EngineResult, cycle: Cycle, n: Array) -> ComplexArray:
-    epsilon, arm, way = _arms(engine, e, cycle)
-    with untraced():
-        p = cycle.pressure(epsilon, way) - float(cycle.crankcase)
-    return _together(_turning(tuple(n.tolist()), float(cycle.length)) @ (arm * p))
-
-
-@record
-class Nodes:
-    """The speeds at which the gas is given, ascending, and the cycle at each; one node where it is the same
-    everywhere."""
-
-    speeds: Array
-    cycles: tuple[Cycle, ...]
-    basis: "Basis | ComplexArray"  # of a table of pressures: t_n itself
-
-    def outside(self, speed: float) -> bool:
-        lowest, highest = float(self.speeds[0]), float(self.speeds[-1])
-        return len(self.cycles) > 1 and not lowest * (1 - BEYOND) <= speed <= highest * (1 + BEYOND)
-
-
-def nodes(engine: EngineInputs, e: EngineResult, gas: GasInputs, rows: Sequence[Operation], n: Array) -> Nodes:
-    """Rows that say something of the gas are nodes; where there are none, [engine.gas] holds at every speed."""
-    given = sorted((row for row in rows if row.has_gas), key=lambda row: row.speed)
-    changed = [{key: value for key in GAS if (value := getattr(row, key)) is not None} for row in given]
-    cycles = tuple(prepare(engine, e, replace(gas, **change)) for change in changed) or (prepare(engine, e, gas),)
-    speeds = np.array([row.speed for row in given] or [engine.rated_speed])
-    of = basis if isinstance(cycles[0].given, MixedCycle) else of_table
-    return Nodes(speeds, cycles, of(engine, e, cycles[0], n))
-
-
-def harmonics(engine: EngineInputs, e: EngineResult, at: Nodes, speeds: Array, *, mean: bool = False) -> ComplexArray:
-    """t_n of one cylinder (speeds, orders); `mean`: of order 0, twice the mean torque."""
-    b = at.basis
-    if mean:
-        b = (basis if isinstance(b, Basis) else of_table)(engine, e, at.cycles[0], np.zeros(1))
-    if not isinstance(b, Basis):  # a table of pressures: the same at every speed
-        same: ComplexArray = np.broadcast_to(b, (len(speeds), b.size))
-        return same
-    cycles = [(cycle, g) for cycle in at.cycles if isinstance(g := cycle.given, MixedCycle)]
-    v = np.asarray(speeds, dtype=float)
-
-    def over(values: list[float]) -> Array:
-        return np.asarray(np.interp(v, at.speeds, values), dtype=float)
-
-    p_max, p_in, p_ex = (over([float(getattr(g, key)) for _, g in cycles]) for key in ("p_max", "p_in", "p_ex"))
-    p_case, eps_p = over([float(cycle.crankcase) for cycle, _ in cycles]), over([float(g.eps_p) for _, g in cycles])
-    with untraced():
-        alpha = e.tdc_angle + eps_p
-        beta = kinematics.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
-        x_p = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-    g = cycles[0][1]
-    p_2 = p_max * (float(g.h_c) + x_p) ** float(g.n_e)
-    until = np.searchsorted(b.epsilon, eps_p + INSIDE, side="right")
-    parts = np.empty((v.size, 5, b.fixed.shape[1]), dtype=np.complex128)
-    parts[:, 0], parts[:, 1] = b.up_to(until)
-    parts[:, 2:] = b.fixed
-    of = [part for _, g in cycles for part in (g.p_max, g.p_in, g.p_ex, g.eps_p, g.x_p, g.h_c, g.n_c, g.n_e)]
-    return x.one_cylinder(basis=parts, p_max=based_on(p_max, *of), p_2=p_2, p_ex=p_ex, p_in=p_in, p_case=p_case)
-
-
-# --- the wrenches
+from .excitation import Moving, moving, turning_wrench
+from .inputs import SEVERAL_WORDS, VARIANT_WORDS, MountingInputs, Operation
 
 TOOTH = "tooth"
 PURE = 1e-6  # of a couple: smaller forces beside it are dust
@@ -276,7 +131,7 @@ class EngineWrenches:
         of_masses = self.torque_of_masses * self._squares(speeds)[:, None]
         gas = np.zeros_like(of_masses) if self.nodes is None else harmonics(self.engine, self.e, self.nodes, speeds)
         of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed, speeds)
-        return x.all_cylinders(t_one=gas, t_inertia=of_masses, spread=self.spread, fires=self.fires, n=self.orders)
+        return all_cylinders(t_one=gas, t_inertia=of_masses, spread=self.spread, fires=self.fires, n=self.orders)
 
     def strengths(self, wrench: ComplexArray | None, rho: float) -> Array:
         """How strong each order is with half on the crank, of a wrench (orders, variants, 6); None: of the masses
@@ -320,7 +175,7 @@ def drive(
     imbalance: ImbalanceResult,
     shafts: tuple[ShaftOnEngine, ...],
 ) -> EngineWrenches:
-    n = x.orders_of(engine.strokes)
+    n = orders_of(engine.strokes)
     fires = firing(engine, e.crank)
     turning = e.torque
     assert turning is not None
@@ -347,7 +202,7 @@ def drive(
         variants=tuple(variants),
         inertia=at_gravity,
         torque_of_masses=based_on(torque, turning.harmonics),
-        nodes=nodes(engine, e, engine.gas, mounting.operation, n) if engine.gas is not None else None,
+        nodes=nodes(engine, e, engine.gas, running(mounting, engine), n) if engine.gas is not None else None,
         spread=_spread(mounting, engine, fires.order),
         fires=fires.angles,
         r_G=np.asarray(mounting.centre_of_gravity),
@@ -407,8 +262,17 @@ def _spread(mounting: MountingInputs, engine: EngineInputs, order: tuple[int, ..
     return based_on(spread, given)
 
 
+def running(mounting: MountingInputs, engine: EngineInputs) -> tuple[Operation, ...]:
+    """The operations, else how the engine runs over its speed: without hours, which are shares there and no hours a
+    day."""
+    return mounting.operation or tuple(
+        Operation(name=row.name, speed=row.speed, **changes(row))
+        for row in over_speed(engine.operation, mounting.idle_speed)
+    )
+
+
 def operating(mounting: MountingInputs, engine: EngineInputs) -> tuple[tuple[str, RevPerSecond, float], ...]:
     """Name, speed and hours of every operation; where none is given, idle and rated."""
-    if mounting.operation:
-        return tuple((row.name, row.speed, row.hours or 0.0) for row in mounting.operation)
+    if rows := running(mounting, engine):
+        return tuple((row.name, row.speed, row.hours or 0.0) for row in rows)
     return ("idle", mounting.idle_speed, 0.0), ("rated", engine.rated_speed, 0.0)

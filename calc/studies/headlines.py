@@ -18,6 +18,7 @@ from ..imbalance.orders import Order
 from ..imbalance.result import ImbalanceResult
 from ..imbalance.webs import WebsResult
 from ..mounting.result import PointLevel
+from ..mounting.wrenches import running
 from ..sheet.check import Check
 from ..sheet.quantity import Published, dotted
 from ..sheet.record import record
@@ -179,7 +180,8 @@ def _mounting(results: Results) -> Text | None:
     """What the foremost seat has at the first operation, half on the crank and with the shaft."""
     if (mounting := results.design.mounting) is None or mounting.seat is None:
         return None
-    first = mounting.operation[0].name if mounting.operation else "idle"
+    rows = running(mounting, results.design.engine) if results.design.engine is not None else ()
+    first = rows[0].name if rows else "idle"
     half, shaft = (
         results.values().get(dotted(Design.mounting, first, variant, mounting.seat.name, PointLevel.weighted))
         for variant in ("half", "shaft")

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from ...countershaft.rows import called
-from ...engine.inputs import BenchPoint, EngineInputs
+from ...engine.inputs import EngineInputs
+from ...engine.operation import BenchPoint
 from ...sheet.arrays import Array
 from ...sheet.linked_array import elements, gathered, item, linked_array
 from ...sheet.record import record
@@ -110,9 +111,9 @@ def of_journals(engine: EngineInputs, speed_ratio: Number | None) -> tuple[RevPe
     """The rated speed and the bench run of an engine, which are the crank's, by the speed of the journals of a shaft;
     None: they turn as fast as the crank."""
     if speed_ratio is None or abs(speed_ratio) == 1:
-        return engine.rated_speed, engine.bench
+        return engine.rated_speed, engine.gallery
     i = abs(speed_ratio)
-    bench = [replace(row, speed=based_on(i * row.speed, row.speed, speed_ratio)) for row in engine.bench]
+    bench = [replace(row, speed=based_on(i * row.speed, row.speed, speed_ratio)) for row in engine.gallery]
     return based_on(i * engine.rated_speed, engine.rated_speed, speed_ratio), tuple(bench)
 
 

@@ -8,7 +8,7 @@ from typing import Any, cast
 import numpy as np
 
 from ...countershaft.rows import BearingRow, called
-from ...engine.inputs import Operation
+from ...engine.operation import Operation
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array
 from ...sheet.functions import largest

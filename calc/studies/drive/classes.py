@@ -218,7 +218,7 @@ def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSur
 
 def _beside(problem: Problem, place: str, design: Design, results: Results) -> Beside:
     """The films that are limits beside those of the corners; what stands still is that of the class's own start."""
-    bench = design.engine.bench if design.engine is not None else ()
+    bench = design.engine.gallery if design.engine is not None else ()
     given = design.bearings is not None and design.bearings.speed_range is not None
     over = bench if bench or given or problem.binds(FILM_EDGE_SPEEDS.of(place)) else None
     bearings, shaft = results.result(BearingsResult), results.result(CountershaftResult)

@@ -27,7 +27,7 @@ from ...bearings.plain.selection.states import BALANCED, HOT, BearingTask, judge
 from ...bearings.plain.selection.variants import SUPPLIES, Variant
 from ...bearings.plain.speeds import at_speeds, sweep_points
 from ...bearings.plain.suitability import MATERIAL_LOAD, film_asked
-from ...engine.inputs import BenchPoint
+from ...engine.operation import BenchPoint
 from ...library.journal_rules import SUPPLY_WIDTH
 from ...sheet.arrays import Array, BoolArray
 from ...sheet.check import CheckRule

@@ -720,14 +720,15 @@ def _without_price(document: Document, objectives: tuple[str, ...], most: Mappin
 
 def _cycle(design: Design, inputs: OptimiseInputs) -> tuple[tuple[float, float], ...]:
     """Raises BadInput where the speed of the drive is not the engine's to change."""
-    if not inputs.cycle:
-        return ()
     bearings, gears, engine = design.bearings, design.gears, design.engine
-    if (
-        engine is None
-        or (bearings is not None and bearings.speed is not None)
-        or (gears is not None and gears.speed is not None)
-    ):
+    fixed = (bearings is not None and bearings.speed is not None) or (gears is not None and gears.speed is not None)
+    if not inputs.cycle:
+        parts = [(row.speed, row.hours) for row in (engine.operation if engine is not None else ()) if row.hours]
+        if engine is None or fixed or not parts:
+            return ()
+        whole = sum(hours for _, hours in parts)
+        return tuple((speed / engine.rated_speed, hours / whole) for speed, hours in parts)
+    if engine is None or fixed:
         why = Text("needs [engine], and no speed of its own in [bearings] or [gears]")
         cycle = dotted(Design.optimise, OptimiseInputs.cycle)
         raise BadInput("design", [InputError(0, cycle, "", why)])

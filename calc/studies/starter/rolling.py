@@ -25,7 +25,8 @@ from ...design.addresses import Table
 from ...design.model import Design
 from ...design.step_inputs import rolling_places, twins_of
 from ...design.toml_file import Document, design
-from ...engine.inputs import EngineInputs, Operation
+from ...engine.inputs import EngineInputs
+from ...engine.operation import Operation
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, keys

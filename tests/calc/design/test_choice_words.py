@@ -33,6 +33,7 @@ OF_SEATS = {
 OF_ROLLING = {
     "rolling", "ball", "roller", "polyamide", "oil splash", "cast-in insert", "adhesive", "clamped",
 }  # fmt: skip
+OF_GAS = {"by a throttle", "by the fuel alone"}
 
 
 def test_no_word_is_left_in_english() -> None:
@@ -44,4 +45,5 @@ def test_no_word_is_left_in_english() -> None:
         <= {"boxer", "no", "plain", "its bearings alone", "open", "in a shell", "counted, between its bounds"}
         | OF_SEATS
         | OF_ROLLING
+        | OF_GAS
     )
