@@ -3,11 +3,10 @@
 
 from ..engine.inputs import EngineInputs
 from ..engine.operation import GasRow, changes, near_idle
+from ..library.table_file import house_table
 from ..mounting.inputs import MountingInputs
 from ..sheet.units import RevPerSecond
 from ..sheet.value import based_on
-
-IDLE_SHARE, IDLE_FROM, IDLE_TO = 0.13, 600 / 60, 1300 / 60  # of rated speed; rev/s
 
 
 def idle_speed(engine: EngineInputs, mounting: MountingInputs | None) -> RevPerSecond:
@@ -16,8 +15,9 @@ def idle_speed(engine: EngineInputs, mounting: MountingInputs | None) -> RevPerS
         return engine.idle_speed
     if mounting is not None:
         return mounting.idle_speed
-    rated = engine.rated_speed
-    return based_on(min(max(IDLE_SHARE * rated, IDLE_FROM), IDLE_TO, rated), rated)
+    rated, usual = engine.rated_speed, house_table("engine_motion.toml")["idle"]
+    idle: float = min(max(usual["share"] * rated, usual["from_rpm"] / 60), usual["to_rpm"] / 60, rated)
+    return based_on(idle, rated)
 
 
 def operations(engine: EngineInputs, mounting: MountingInputs | None) -> tuple[GasRow, ...]:

@@ -39,6 +39,11 @@ def orders_of(strokes: int, highest: float = HIGHEST) -> Array:
     return orders
 
 
+def order_word(n: float) -> str:
+    """The order in the names of values: 1, 1_5, 2 …"""
+    return f"{n:g}".replace(".", "_")
+
+
 def index(n: Array, order: float) -> int:
     return int(np.argmin(np.abs(n - order)))
 
@@ -111,6 +116,14 @@ class Basis:
         at = which[:-1]
         return _together(held[at]), _together(fallen[which[-1]] - fallen[at])
 
+    def parts(self, eps_p: Array) -> ComplexArray:
+        """Of every operating point, by the angle for which its peak is held: what 1 Pa does of the peak, of the
+        expansion, and of exhaust, intake and crankcase (points, 5, orders)."""
+        parts = np.empty((eps_p.size, 5, self.fixed.shape[1]), dtype=np.complex128)
+        parts[:, 0], parts[:, 1] = self.up_to(np.searchsorted(self.epsilon, eps_p + INSIDE, side="right"))
+        parts[:, 2:] = self.fixed
+        return parts
+
 
 def _together(parts: Array) -> ComplexArray:
     """Cosine and sine parts, side by side along the last axis, as phasors."""
@@ -140,6 +153,16 @@ def basis(engine: EngineInputs, e: EngineResult, cycle: Cycle, n: Array) -> Basi
     )
     held = turning[:, :last] * arm[:last]
     return Basis(epsilon[:last], held, held * (h_c + way[:last]) ** -float(g.n_e), _together(fixed))
+
+
+def expansion_from(engine: EngineInputs, e: EngineResult, g: MixedCycle, eps_p: Array) -> Array:
+    """By what the peak pressure, held for ε_p, is multiplied where the expansion counts (h_c + x)^−n_e."""
+    with untraced():
+        alpha = e.tdc_angle + eps_p
+        beta = kinematics.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
+        x_p = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+    factor: Array = (float(g.h_c) + x_p) ** float(g.n_e)
+    return factor
 
 
 @cache
@@ -207,15 +230,7 @@ def harmonics(engine: EngineInputs, e: EngineResult, at: Nodes, speeds: Array, *
 
     p_max, p_in, p_ex = (over([float(getattr(g, key)) for _, g in cycles]) for key in ("p_max", "p_in", "p_ex"))
     p_case, eps_p = over([float(cycle.crankcase) for cycle, _ in cycles]), over([float(g.eps_p) for _, g in cycles])
-    with untraced():
-        alpha = e.tdc_angle + eps_p
-        beta = kinematics.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
-        x_p = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-    g = cycles[0][1]
-    p_2 = p_max * (float(g.h_c) + x_p) ** float(g.n_e)
-    until = np.searchsorted(b.epsilon, eps_p + INSIDE, side="right")
-    parts = np.empty((v.size, 5, b.fixed.shape[1]), dtype=np.complex128)
-    parts[:, 0], parts[:, 1] = b.up_to(until)
-    parts[:, 2:] = b.fixed
+    parts = b.parts(eps_p)
+    p_2 = p_max * expansion_from(engine, e, cycles[0][1], eps_p)
     of = [part for _, g in cycles for part in (g.p_max, g.p_in, g.p_ex, g.eps_p, g.x_p, g.h_c, g.n_c, g.n_e)]
     return one_cylinder(basis=parts, p_max=based_on(p_max, *of), p_2=p_2, p_ex=p_ex, p_in=p_in, p_case=p_case)

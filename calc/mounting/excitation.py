@@ -28,11 +28,6 @@ from ..sheet.value import based_on
 REAL = "kinematics: a vector that turns forward and one that turns backward, as phasors of their components"
 
 
-def order_word(n: float) -> str:
-    """The order in the names of values: 1, 1_5, 2 …"""
-    return f"{n:g}".replace(".", "_")
-
-
 # --- vectors that turn
 
 

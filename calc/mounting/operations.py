@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..engine.gas_torque import order_word
 from ..sheet.arrays import Array, ComplexArray
 from ..sheet.linked_array import gathered
 from ..sheet.quantity import Described
@@ -17,7 +18,6 @@ from ..sheet.value import based_on
 from . import excitation as x
 from . import levels as l
 from . import standards
-from .excitation import order_word
 from .inputs import VARIANT_WORDS, MountingInputs
 from .levels import Levels
 from .result import (

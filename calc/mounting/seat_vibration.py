@@ -6,13 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..engine.gas_torque import order_word
 from ..sheet.arrays import Array
 from ..sheet.quantity import Stated
 from ..sheet.text import Text
 from ..sheet.value import based_on
 from . import modal, standards
 from .body import DOFS
-from .excitation import order_word
 from .inputs import MountingInputs
 from .levels import Course, course
 from .result import MountingResult, Tree, described, put
