@@ -548,11 +548,20 @@ def _rated(
     f: Outcome[FrictionResult],
     parts: dict[str, Watt],
 ) -> Outcome[TrainResult]:
-    """Its rating and its forces, once the closed balance has the power of every mesh."""
+    """Its motion over speed, its rating and its forces, once the closed balance has the power of every mesh."""
+    work = h.crank_at_work(design, e, c, g.solution, f)
+    if work is not None:
+        driven = part("gears", gears.over_speed, inputs, g.solution, work, design.materials)
+        if driven.state != "solved":
+            g = gears.without(g, gears.DRIVE, driven.reason)
+        else:
+            g = gears.with_drive(g, driven)
     power = h.power(inputs, f, parts)
     if power is None:
-        return gears.not_rated(g, h.not_rated(f))
-    rated = part("gears", gears.rating, inputs, g.solution, power, design.materials, h.around_gears(design, e, c))
+        return part("gears", gears.struck, gears.not_rated(g, h.not_rated(f)), inputs, None)
+    uneven = g.solution.drive.torques if g.solution.drive is not None else None
+    rated = part("gears", gears.rating, inputs, g.solution, power, design.materials, h.around_gears(design, uneven))
     if rated.state != "solved":
         return gears.without(g, gears.RATING, rated.reason)
-    return gears.with_forces(gears.merge(g, rated), inputs)
+    g = gears.with_forces(gears.merge(g, rated), inputs)
+    return part("gears", gears.struck, g, inputs, rated.solution.context)

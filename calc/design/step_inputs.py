@@ -5,6 +5,7 @@ next."""
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from cmath import phase
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
@@ -31,16 +32,9 @@ from ..friction.solve import MeshOil
 from ..gears.inputs import ONLY, GearsInputs
 from ..gears.layout.formulas import angular_pitch
 from ..gears.layout.solve import ShaftInTrain
-from ..gears.rating.load import (
-    Irregularity,
-    Power,
-    ShaftInertia,
-    Surroundings,
-    Swing,
-    firing_order,
-    power_by_balance,
-    power_by_shafts,
-)
+from ..gears.drive.bodies import ShaftBody
+from ..gears.drive.solve import CrankAtWork
+from ..gears.rating.load import Irregular, Power, Surroundings, power_by_balance, power_by_shafts
 from ..gears.result import TrainResult
 from ..gears.solve import NOT_RATED, Balanced
 from ..library.lubricant import Lubricant
@@ -52,6 +46,7 @@ from ..sheet.text import EMPTY, Text
 from ..sheet.units import Watt
 from ..sheet.value import about, based_on, recorded, trace
 from .model import STEPS, Design
+from .operations import idle_speed, operations
 
 if TYPE_CHECKING:
     from ..bearings.rolling.search import Place
@@ -449,41 +444,46 @@ def shaft_drive(
     return ShaftDrive(power, based_on(abs(speed), speed), tuple(strands))
 
 
-def irregularity(
-    design: Design, engine: Outcome[EngineResult], shafts: Mapping[str, Outcome[CountershaftResult]]
-) -> Irregularity | None:
-    """How unevenly the first driver turns: given, else by the engine's torque on its flywheel; None where neither is
-    known."""
-    gears, crank = design.gears, design.engine
-    speed = first_speed(design)
-    if gears is None or speed is None:
+def crank_at_work(
+    design: Design,
+    engine: Outcome[EngineResult],
+    shafts: Mapping[str, Outcome[CountershaftResult]],
+    train: TrainResult,
+    friction: Outcome[FrictionResult],
+) -> CrankAtWork | None:
+    """The engine as the drive over speed sees it, with what hangs on the wheels of the shafts; None where there is no
+    engine."""
+    crank, speed = design.engine, first_speed(design)
+    if crank is None or engine.result is None or speed is None:
         return None
-    delta_s, order, swing = gears.speed_irregularity, gears.irregularity_order, None
-    if delta_s is None:
-        swing = _swing(engine, crank, speed)
-        if swing is None:
-            return None
-    elif order is None:  # without a crank δ_s is 0, which has no order
-        order = firing_order(crank.cylinders, crank.strokes) * crank.rated_speed / speed if crank is not None else 1.0
-    inertias = {}
-    for name, shaft in shafts.items():
-        if shaft.result is not None and (J_S := shaft.result.moment_of_inertia) is not None:
-            outline = shaft.result.outline
+    bodies = {}
+    for shaft in turning(design):
+        solved = shafts[shaft.name].result if shaft.name in shafts else None
+        if shaft.name in train.shafts and solved is not None and (J := solved.moment_of_inertia) is not None:
+            outline, F = solved.outline, solved.force_vector
             has_gear = outline is not None and any(piece.what == "gear" for piece in outline.pieces)
-            inertias[name] = ShaftInertia(J_S, outline is not None and (not outline.derived or has_gear))
-    return Irregularity(delta_s, order, swing, inertias)
-
-
-def _swing(engine: Outcome[EngineResult], crank: EngineInputs | None, speed: float) -> Swing | None:
-    """The engine's torque over its cycle, where its gas and its flywheel are known."""
-    torque = engine.result.torque if engine.result is not None else None
-    if crank is None or torque is None or crank.flywheel_inertia is None:
-        return None
-    highest, mean, lowest = torque.torque_highest, torque.mean_torque, torque.torque_lowest
-    if highest is None or mean is None or lowest is None:
-        return None
-    ratio = speed / crank.rated_speed
-    return Swing(highest=highest, mean=mean, lowest=lowest, inertia=crank.flywheel_inertia, ratio=ratio)
+            bodies[shaft.name] = ShaftBody(
+                J=J,
+                with_wheel=outline is not None and (not outline.derived or has_gear),
+                U=solved.static_unbalance,
+                angle=based_on(phase(F), F),
+                ratio=shaft.inputs.speed_ratio,
+            )
+    first = next(iter(bodies), None)
+    end = None
+    if first is not None and first in shafts:
+        inputs = next(shaft.inputs for shaft in turning(design) if shaft.name == first)
+        end = gear_end(inputs, shafts[first].result)
+    return CrankAtWork(
+        engine=crank,
+        e=engine.result,
+        rows=operations(crank, design.mounting),
+        idle=idle_speed(crank, design.mounting),
+        ratio=based_on(speed / crank.rated_speed, speed, crank.rated_speed),
+        front=None if end is None else end == "front",
+        shafts=bodies,
+        friction=friction.result,
+    )
 
 
 def eccentric(shaft: ShaftInputs, end: str | None) -> float | None:
@@ -528,15 +528,14 @@ def shafts_in_train(design: Design, solved: Mapping[str, Outcome[CountershaftRes
     return shafts
 
 
-def around_gears(
-    design: Design, engine: Outcome[EngineResult], shafts: Mapping[str, Outcome[CountershaftResult]]
-) -> Surroundings:
-    """What the rating of the teeth takes from other steps."""
+def around_gears(design: Design, uneven: Irregular | None) -> Surroundings:
+    """What the rating of the teeth takes from other steps; `uneven`: what the motion of the crank adds to the
+    torque."""
     oil = mesh_oil(design)
     lubricant = Lubricant(oil.oil, oil.viscosity_law) if oil is not None else None
     Ra = design.friction.flank_roughness if design.friction is not None else None
     return Surroundings(
-        uneven=irregularity(design, engine, shafts),
+        uneven=uneven,
         lubricant=lubricant,
         oil_temperature=oil.temperature if oil is not None else None,
         flank_ra=(Ra[0], Ra[-1]) if Ra else None,

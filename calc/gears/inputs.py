@@ -13,6 +13,7 @@ from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, se
 from ..sheet.text import Text
 from ..sheet.units import Kelvin
 from .drive.inputs import DragRow, DriveInputs
+from .drive.scissor_inputs import Scissor
 from .tree import TrainLink, Tree, first_of, in_flow
 from .wheel_inputs import INTERNAL, REFUSED, Wheel
 
@@ -117,6 +118,12 @@ class Mesh:
         symbol="f_sh",
         rule_of_thumb=(0, 30),
         help="Over the face width. Left out: none.",
+    )
+    scissor: Scissor | None = table(
+        "Scissor gear",
+        Scissor,
+        default=None,
+        help="One wheel is split, and a spring turns its halves apart: the flanks stay closed.",
     )
     stack: tuple[Contributor, ...] = tables(
         "Parts between the centres",

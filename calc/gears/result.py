@@ -16,6 +16,7 @@ from .stages import StageResult
 from .tree import Tree
 
 if TYPE_CHECKING:
+    from .drive.result import DriveResult, MeshOverSpeed, WheelStruck
     from ..countershaft.sums import ToothOff
 
 
@@ -88,6 +89,7 @@ class WheelResult:
     chordal_height: Metre = value("Height above the chord", "mm", "h_c")
     measures: MeasuresResult | None = group(spread=True, default=None)
     mass: Kilogram | None = value("Mass", "kg", "m_W", default=None)
+    strikes: "WheelStruck | None" = group(spread=True, default=None)
     name: str
     teeth: int
     face_width: Metre
@@ -163,6 +165,7 @@ class MeshResult:
         "Depth of the outlines inside each other, without backlash", "µm", "δ_p", default=None
     )
     rating: MeshRating | None = group(spread=True, default=None)
+    over_speed: "MeshOverSpeed | None" = group(spread=True, default=None)
     driver: str
     driven: str
     face_width: Metre  # common to both
@@ -218,6 +221,7 @@ class TrainResult:
     train_play: dict[str, TrainPlay] | None = group(spread=True, default=None, named="several")  # by shaft
     layout: LayoutResult | None = group(spread=True, default=None)
     forces: ForcesResult | None = group(spread=True, default=None)
+    drive: "DriveResult | None" = group(default=None, words="drive")
     tree: Tree
     speeds: Mapping[str, RevPerSecond]  # of wheels and sprockets, + in the sense of the first driver; empty at rest
 

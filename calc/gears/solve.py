@@ -25,6 +25,9 @@ from .backlash.solve import play, with_couple
 from .checks import checks as train_checks
 from .checks import no_wheel_check, speed_ratio_check
 from .formulas import speed_ratio as speed_ratio_of
+from .drive.result import DriveResult
+from .drive.solve import over_speed
+from .drive.struck import struck as struck_parts
 from .inputs import ONLY, GearsInputs, Mesh
 from .layout.forces import forces
 from .layout.solve import ShaftInTrain, layout
@@ -36,6 +39,7 @@ from .pair import solve_mesh
 from .profile.meshing import checks as profile_checks
 from .profile.meshing import notes as profile_notes
 from .profile.meshing import penetrations
+from .rating.load import RatingContext
 from .rating.result import RatingResult
 from .rating.solve import rating
 from .result import ShaftTurn, TrainResult, working_circles
@@ -43,7 +47,7 @@ from .train import settle, speeds, tooth_system
 from .wheel import solve_wheel
 from .wheel_inputs import Wheel
 
-__all__ = ["geometry", "merge", "not_rated", "rating", "with_residuals", "with_speed_ratios"]
+__all__ = ["geometry", "merge", "not_rated", "over_speed", "rating", "with_residuals", "with_speed_ratios"]
 
 
 @record
@@ -72,6 +76,17 @@ LAYOUT = TrainPart(
     Text("layout of the train"),
     CheckRule(
         "gears.train.layout", "limit", "The wheels have no place.", source=NO_VALUES, role="self", zero=NO_NUMBER
+    ),
+)
+DRIVE = TrainPart(
+    Text("drive over speed"),
+    CheckRule(
+        "gears.train.drive",
+        "limit",
+        "What strikes do to the teeth, a limit, has no values.",
+        source=NO_VALUES,
+        role="self",
+        zero=NO_NUMBER,
     ),
 )
 RATING = TrainPart(
@@ -194,6 +209,26 @@ def with_layout(
     """The train in its place; `shafts` by their names."""
     placed = layout(gears, outcome.solution, shafts)
     return replace(_joined(outcome, placed), result=replace(outcome.solution, layout=placed.result))
+
+
+def with_drive(outcome: Outcome[TrainResult], driven: Outcome[DriveResult]) -> Outcome[TrainResult]:
+    """The same with the drive over speed, and what it is to each mesh."""
+    train, drive = outcome.solution, driven.solution
+    meshes = {key: replace(mesh, over_speed=drive.meshes.get(key)) for key, mesh in train.meshes.items()}
+    return replace(_joined(outcome, driven), result=replace(train, meshes=meshes, drive=drive))
+
+
+def struck(outcome: Outcome[TrainResult], gears: GearsInputs, context: RatingContext | None) -> Outcome[TrainResult]:
+    """The same with what the strikes do to the teeth, and all that is judged of the drive; `context`: that of the
+    rating, None where there is none."""
+    train = outcome.solution
+    if train.drive is None:
+        return outcome
+    told, meshes, wheels, drive = struck_parts(gears, train, train.drive, context)
+    of_meshes = {key: replace(mesh, over_speed=meshes.get(key)) for key, mesh in train.meshes.items()}
+    of_wheels = {name: replace(wheel, strikes=wheels.get(name)) for name, wheel in train.wheels.items()}
+    result = replace(train, meshes=of_meshes, wheels=of_wheels, drive=drive)
+    return replace(_joined(outcome, told), result=result)
 
 
 def merge(geometry: Outcome[TrainResult], rated: Outcome[RatingResult]) -> Outcome[TrainResult]:

@@ -6,7 +6,6 @@ A default irregularity is an unfavourable one: what holds with it passes, what d
 
 from collections.abc import Callable, Iterator, Mapping
 
-from ...engine.gas import GasInputs
 from ...engine.inputs import EngineInputs
 from ...library.table_file import house_table
 from ...sheet.check import Check, CheckRule, Missing
@@ -19,7 +18,7 @@ from ..rating.checks import MINIMUM_F, MINIMUM_H
 from ..rating.mesh_strength import S_F_LEAST, S_H_LEAST
 from ..wheel_inputs import Wheel
 from .inputs import DriveInputs
-from .result import IDLE, OPERATIONS, DriveResult, MeshAt, MeshOverSpeed, WheelStruck
+from .result import IDLE, DriveResult, MeshAt, MeshOverSpeed, WheelStruck
 
 YARDSTICK = Text(
     "rule of this program: A up to {a}, B up to {b}, from the backlash that makers print for balance shafts",
@@ -233,4 +232,6 @@ def method_checks(drive: DriveResult, shares: Mapping[str, Number]) -> Iterator[
 def window_check(drive: DriveResult, low: Metre, high: Metre, governs: Text, taken: Text) -> Check:
     """Whether the window of the nominal backlash has room; both along the line of action, of one way."""
     missing = Missing(GIVE, (taken,), "holds", low) if drive.assumed else None
-    return BACKLASH_WINDOW(low, high, name=Text("Least nominal backlash against the largest, {way}", way=governs), missing=missing)
+    return BACKLASH_WINDOW(
+        low, high, name=Text("Least nominal backlash against the largest, {way}", way=governs), missing=missing
+    )

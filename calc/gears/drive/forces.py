@@ -8,7 +8,7 @@ A body is struck by the strikes of its own orbit and of those of every body befo
 u and p count Πρ there.  Of the bodies behind a mesh that a strike reaches, the first has the largest mass, so the high
 force has to be sought for that one alone."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from ...sheet.functions import along, modulus, power, smallest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonPerMetre, Number, Pascal
-from ...sheet.value import about, untraced
+from ...sheet.value import about, based_on, untraced
 from ..rating.dynamic import CLAUSE_9, LIGHT
 from .motion import Bodies, Motion
 from .strikes import RULE, Closed, Strikes
@@ -199,10 +199,16 @@ def _hardest_of_branch(bodies: Bodies, strikes: Strikes) -> Array:
 
 
 def forces_of(
-    bodies: Bodies, of: Closed, strikes: Strikes, mesh: int, point: int = 0, factor: Array | None = None
+    bodies: Bodies,
+    of: Closed,
+    strikes: Strikes,
+    mesh: int,
+    point: int = 0,
+    factor: Array | None = None,
+    sources: Sequence[object] = (),
 ) -> tuple[Newton, Newton]:
     """Low and high of one mesh, by the formulas, from the strikes that govern; all seen at this mesh.  (0, 0) where
-    nothing strikes."""
+    nothing strikes.  `sources`: what mass, speed and press of a strike stand on."""
     bodies, of, strikes = bodies.at([point]), of.at([point]), strikes.at([point])
     teeth = _teeth(bodies, factor)
     with untraced():
@@ -210,10 +216,10 @@ def forces_of(
         high = _high(bodies, of, strikes, teeth)[0, mesh]
         whip = float(_whip(bodies, of, strikes, teeth)[0, mesh] * teeth.there[mesh])
         hardest = float(_hardest_of_branch(bodies, strikes)[0, mesh])
-    F_low = F_high = 0.0
+    F_low = F_high = based_on(0.0, *sources)
     if (F := float(low.max())) > 0:
         on, by, event = (int(n) for n in np.unravel_index(np.argmax(low), low.shape))
-        M, u, p = _seen(bodies, of, strikes, mesh, on, by, event)
+        M, u, p = (based_on(x, *sources) for x in _seen(bodies, of, strikes, mesh, on, by, event))
         path = np.flatnonzero(bodies.before[:, on] & teeth.there)
         rho = bodies.ratio[mesh] / bodies.ratio[path]
         with about(Text("all teeth of the path")):
@@ -222,7 +228,8 @@ def forces_of(
     F = float(high.max())
     if F >= whip and F > 0:
         by, event = (int(n) for n in np.unravel_index(np.argmax(high), high.shape))
-        M, u, p = _seen(bodies, of, strikes, mesh, by if bodies.before[mesh, by] else mesh, by, event)
+        on = by if bodies.before[mesh, by] else mesh
+        M, u, p = (based_on(x, *sources) for x in _seen(bodies, of, strikes, mesh, on, by, event))
         with about(Text("the teeth of this mesh alone")):
             F_high = strike_force(M, p, stiffness_at(F, b, c), u)
     if whip > F:
@@ -230,7 +237,7 @@ def forces_of(
         with about(Text("a wheel against its neighbour")):
             if driver >= 0:
                 mu = reduced_mass(mu, float(bodies.mass[driver]), float(bodies.rho[mesh]))
-            F_high = whip_force(mu, hardest, b, c)
+            F_high = whip_force(based_on(mu, *sources), based_on(hardest, *sources), b, c)
     return F_low, F_high
 
 

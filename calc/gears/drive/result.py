@@ -20,6 +20,8 @@ from ...sheet.units import (
 from .scissor import ScissorResult
 
 if TYPE_CHECKING:
+    from ..rating.load import Irregular
+    from .solve import Drive
     from .survey import Survey
 
 IDLE, IDLE_FULL, RATED, HARDEST = "idle", "idle_full", "rated", "hardest"
@@ -122,10 +124,10 @@ class DriveResult:
     hardest_speed: RevPerSecond = value("Speed at which the flanks strike hardest", "rpm", "n_u", short=True)
     hardest_load: Number = value("Load at which the flanks strike hardest", "%", "p_u")
     impact_power: Watt = value("Power lost by strikes, about, at most", "W", "ΣW_u", short=True)
-    impact_speed: MetrePerSecond = value(
-        "Hardest strike at idle without load", "mm/s", "u_i", short=True, page_one=9, headline=3
+    impact_speed: MetrePerSecond | None = value(
+        "Hardest strike at idle without load", "mm/s", "u_i", default=None, short=True, page_one=9, headline=3
     )
-    grade: Number = value("Grade of the rattle at idle: 1 A, 2 B, 3 C", "")
+    grade: Number | None = value("Grade of the rattle at idle: 1 A, 2 B, 3 C", "", default=None)
     backlash_quiet_a: Metre | None = value(
         "Backlash on the way of grade A at idle, along the line of action", "µm", "J_A", default=None
     )
@@ -135,13 +137,9 @@ class DriveResult:
     window_low: Metre | None = value("Least nominal backlash on the way", "µm", "J_lo", default=None)
     window_high: Metre | None = value("Largest nominal backlash on the way", "µm", "J_hi", default=None)
     assumed: bool  # whether a default stands for the motion of the crank
-    survey: "Survey"  # all that was computed, as arrays
-    torques: Mapping[str, "MeshTorques"]  # by mesh or stage: what the rating takes
-
-
-@result
-class MeshTorques:
-    """At the driver of one mesh, chain or belt, over the range of speeds and loads."""
-
-    dynamic: NewtonMetre  # largest, where the crank speeds up
-    least: NewtonMetre | None  # of the whole over the cycle; None: no mean torque is known
+    drive: "Drive"  # by which it can be surveyed at other points
+    survey: "Survey"  # what is judged, as arrays
+    most: "Survey"  # the published points at the largest backlash and the least drag
+    at: Mapping[str, int]  # the published points in the survey
+    meshes: Mapping[str, MeshOverSpeed]
+    torques: "Irregular"  # what the rating takes

@@ -66,7 +66,9 @@ def most_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
     return D + M * a
 
 
-@formula("W", Text("{rule}: kinetic energy that the strikes of an orbit take", rule=RULE), names={"M": "M_c", "T": "T_o"})
+@formula(
+    "W", Text("{rule}: kinetic energy that the strikes of an orbit take", rule=RULE), names={"M": "M_c", "T": "T_o"}
+)
 def impact_power(M: Kilogram, u: MetrePerSecond, T: Second) -> Watt:
     """`u`: the speeds of all strikes of an orbit, T its length.
 
@@ -87,6 +89,17 @@ def speed_by_jerk(jerk: MetrePerSecond3, J: Metre) -> MetrePerSecond:
     >>> round(speed_by_jerk(jerk=1500.0, J=70e-6), 6)
     0.0321"""
     return power(jerk, 1 / 3) * power(6 * J, 2 / 3) / 2
+
+
+@formula(
+    "u",
+    "rule of this program, flanks that strike without rebound: speed across the backlash of the way, where they meet",
+    shows="v(t) − v(t_0) + g·(t − t_0) where x(t) − x(t_0) − v(t_0)·(t − t_0) + g·(t − t_0)²/2 reaches a flank",
+    unit="mm/s",
+)
+def strike_speed(u: MetrePerSecond) -> MetrePerSecond:
+    """The largest of an orbit, as the flight has it."""
+    return u
 
 
 # --- closed flanks

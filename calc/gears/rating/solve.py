@@ -84,7 +84,7 @@ def rating(
             if name in load and (T_min := load[name].least) is not None:
                 with about(Text("stage {name}", name=name)):
                     strands[name] = least_strand_force(T_min=T_min, d=stage.pitch_diameter_driver)
-    result = RatingResult(meshes=rated, least_strand_forces=strands)
+    result = RatingResult(meshes=rated, least_strand_forces=strands, context=context)
     finite(result, "gears", EXTREME)
     strengths = {key: mesh_rating.strength for key, mesh_rating in rated.items() if mesh_rating.strength is not None}
     uneven = _if_uneven(context, rated, load)

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the strikes do to the teeth, what a split gear holds, and all that is judged and said of the drive."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+
+import numpy as np
+
+from ...sheet.check import Check
+from ...sheet.deferred import Later
+from ...sheet.record import record
+from ...sheet.step import Outcome
+from ...sheet.text import Amount, Text
+from ...sheet.units import Newton, Number
+from ...sheet.value import about, based_on, trace
+from ..inputs import GearsInputs
+from ..rating.load import RatingContext
+from ..result import TrainResult
+from .checks import method_checks, rattle_checks, strength_checks
+from .notes import notes
+from .orders import error_by_load
+from .result import HARDEST, IDLE, OPERATIONS, DriveResult, MeshAt, MeshOverSpeed, WheelStruck
+from .scissor import ScissorCase, ScissorResult, scissor, scissor_checks
+from .strength import StrikeRate, strike_rate, struck as under_strike
+
+STRUCK = (IDLE, HARDEST)  # where the teeth are rated under their strikes
+ESTIMATES = ("low", "high", "most")
+
+
+def struck(
+    gears: GearsInputs, train: TrainResult, drive: DriveResult, context: RatingContext | None
+) -> tuple[Outcome[object], dict[str, MeshOverSpeed], dict[str, WheelStruck], DriveResult]:
+    """Checks, lines and notes, the meshes and the wheels with their safeties, and the drive with its window."""
+    meshes = {key: mesh.over_speed for key, mesh in train.meshes.items() if mesh.over_speed is not None}
+    wheels: dict[str, WheelStruck] = {}
+    springs: dict[str, ScissorResult] = {}
+    with trace() as lines:
+        if context is not None:
+            meshes, wheels = _safeties(context, train, drive, meshes)
+            springs = _springs(gears, context, drive)
+        meshes = {
+            key: replace(mesh, scissor=springs.get(key), error_by_load=_error(train, key))
+            for key, mesh in meshes.items()
+        }
+    told: Outcome[object] = Outcome(
+        "gears",
+        checks=tuple(_checks(gears, train, drive, meshes, wheels, springs)),
+        lines=tuple(lines),
+        notes=Later(lambda: notes(gears, train, drive)),
+    )
+    return told, meshes, wheels, drive
+
+
+def force_of(at: MeshAt, estimate: str) -> Newton:
+    if estimate == "low":
+        return at.impact_force_low
+    return at.impact_force if estimate == "high" else at.impact_force_most
+
+
+def _safeties(
+    context: RatingContext, train: TrainResult, drive: DriveResult, meshes: Mapping[str, MeshOverSpeed]
+) -> tuple[dict[str, MeshOverSpeed], dict[str, WheelStruck]]:
+    """The least safeties of every mesh and wheel under the strikes at idle and where these are hardest."""
+    S_H: dict[str, dict[str, Number]] = {key: {} for key in meshes}
+    S_F: dict[str, dict[str, Number]] = {}
+    for op in STRUCK:
+        if op not in drive.at or (op == HARDEST and drive.at.get(IDLE) == drive.at[HARDEST]):
+            continue
+        n = float(drive.survey.speeds[drive.at[op]])
+        ratio = n / float(drive.drive.work.engine.rated_speed)
+        rate = _rate(train, drive, n)
+        for key, mesh in meshes.items():
+            for estimate in ESTIMATES:
+                F = force_of(mesh.operations[op], estimate)
+                with about(Text("mesh {pair}, strikes, {op}", pair=train.meshes[key].title, op=OPERATIONS[op])):
+                    loaded = under_strike(context, key, F, ratio, rate)
+                if loaded is None:
+                    continue
+                if loaded.contact is not None:
+                    _least(S_H[key], estimate, loaded.contact)
+                for wheel, safety in loaded.bending.items():
+                    if safety is not None:
+                        _least(S_F.setdefault(wheel, {}), estimate, safety)
+    of_meshes = {
+        key: replace(
+            mesh,
+            strike_safety_contact_low=S_H[key].get("low"),
+            strike_safety_contact=S_H[key].get("high"),
+            strike_safety_contact_most=S_H[key].get("most"),
+        )
+        for key, mesh in meshes.items()
+    }
+    of_wheels = {
+        name: WheelStruck(
+            strike_safety_bending_low=of.get("low"),
+            strike_safety_bending=of.get("high"),
+            strike_safety_bending_most=of.get("most"),
+        )
+        for name, of in S_F.items()
+    }
+    return of_meshes, of_wheels
+
+
+def _least(of: dict[str, Number], estimate: str, safety: Number) -> None:
+    if estimate not in of or safety < of[estimate]:
+        of[estimate] = safety
+
+
+def _rate(train: TrainResult, drive: DriveResult, n: float) -> StrikeRate:
+    """How often a tooth meets a strike: an engine that fires evenly strikes alike at every firing."""
+    engine, motion = drive.drive.work.engine, drive.survey.motion
+    alike = max(1, round(motion.cycle / motion.period))
+    first = Fraction(abs(float(drive.drive.work.ratio))).limit_denominator(1000)
+    return strike_rate(train.tree, n, engine.strokes, alike, first)
+
+
+def _error(train: TrainResult, key: str) -> Number | None:
+    """Of spur wheels whose load is known."""
+    mesh = train.meshes[key]
+    K = mesh.rating.influence if mesh.rating is not None else None
+    if K is None or mesh.overlap_ratio or not 1 < mesh.transverse_contact_ratio < 2:
+        return None
+    with about(Text("mesh {pair}", pair=mesh.title)):
+        return error_by_load(w=K.line_load, c=K.single_stiffness)
+
+
+def _springs(gears: GearsInputs, context: RatingContext, drive: DriveResult) -> dict[str, ScissorResult]:
+    """Of the meshes with a split wheel; none where idle without load is not known."""
+    if IDLE not in drive.at:
+        return {}
+    of, line, found = drive.survey, drive.drive.line, {}
+    speeds = np.unique(of.speeds)
+    for mesh in gears.meshes:
+        if mesh.scissor is None:
+            continue
+        i, at = line.index(mesh.key), drive.meshes[mesh.key].operations
+        least = np.array([of.closed.least[of.speeds == n, i] for n in speeds])
+        case = ScissorCase(
+            backlash=line.play["most"][i],
+            idle_speed=drive.idle_speed,
+            idle_force=at[IDLE].least_force,
+            speeds=based_on(speeds, drive.idle_speed),
+            forces=based_on(least, at[IDLE].least_force),
+            steady=based_on(float(of.closed.drag[drive.at["rated"], i]), at["rated"].least_force),
+            most=at["rated"].most_force,
+            lost=drive.drive.lost(mesh.key),
+        )
+        found[mesh.key] = scissor(mesh.scissor, context, mesh.key, case)
+    return found
+
+
+def _checks(
+    gears: GearsInputs,
+    train: TrainResult,
+    drive: DriveResult,
+    meshes: Mapping[str, MeshOverSpeed],
+    wheels: Mapping[str, WheelStruck],
+    springs: Mapping[str, ScissorResult],
+) -> Iterator[Check]:
+    titles = {key: mesh.title for key, mesh in train.meshes.items()}
+    index = {mesh.key: i for i, mesh in enumerate(gears.meshes)}
+    taken = drive.drive.taken
+    idle = {key: mesh.operations[IDLE] for key, mesh in meshes.items() if IDLE in mesh.operations}
+    if idle:
+        yield from rattle_checks(drive, idle, titles, taken, index, lambda: ())
+    yield from strength_checks(drive, meshes, wheels, titles, taken, index)
+    shares = {
+        key: max(mesh.operations[op].backlash_share for op in STRUCK if op in mesh.operations)
+        for key, mesh in meshes.items()
+    }
+    yield from method_checks(drive, shares)
+    for key, spring in springs.items():
+        yield from scissor_checks(key, titles[key], index[key], spring)
