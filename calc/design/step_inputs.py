@@ -2,10 +2,10 @@
 """What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the
 next."""
 
+from cmath import phase
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from cmath import phase
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
@@ -24,16 +24,15 @@ from ..countershaft.shafts import of_twin
 from ..countershaft.sums import SystemShaft
 from ..countershaft.supports import Gear, ShaftDrive, Sprocket
 from ..countershaft.twins import Resolved
-from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..friction.journals import OnShaft
 from ..friction.result import FrictionResult
 from ..friction.solve import MeshOil
+from ..gears.drive.bodies import ShaftBody
+from ..gears.drive.solve import CrankAtWork
 from ..gears.inputs import ONLY, GearsInputs
 from ..gears.layout.formulas import angular_pitch
 from ..gears.layout.solve import ShaftInTrain
-from ..gears.drive.bodies import ShaftBody
-from ..gears.drive.solve import CrankAtWork
 from ..gears.rating.load import Irregular, Power, Surroundings, power_by_balance, power_by_shafts
 from ..gears.result import TrainResult
 from ..gears.solve import NOT_RATED, Balanced

@@ -4,6 +4,8 @@ flanks together.
 
 Mesh losses are none of it: they vanish when the flanks part."""
 
+from typing import Any
+
 import numpy as np
 
 from ..sheet.arrays import Array
@@ -22,25 +24,25 @@ def drags(balance: FrictionResult, ratio: Array) -> dict[str, Array]:
     train without shafts delivers is a constant torque."""
     d, on = balance.drive, balance.on
     assert d is not None and on is not None  # of every balance that the step has solved
-    T = np.full(ratio.shape, float(d.T_oil))
+    T: Any = np.full(ratio.shape, float(d.T_oil))  # as many operating points as there are ratios
+    r: Any = ratio
     with untraced(), np.errstate(all="ignore"):
         ends = {
-            name: end_of(d.friction, end.wheel, on[name], journals_at(on[name], ratio, T))
-            for name, end in d.ends.items()
+            name: end_of(d.friction, end.wheel, on[name], journals_at(on[name], r, T)) for name, end in d.ends.items()
         }
-        first = d.wheels[d.first].speed * ratio
+        first = d.wheels[d.first].speed * r
         at = drive(d.friction, d.links, d.lubricant, T, first, ends, d.forces, d.lubrication)
         taken = balance.meshes | balance.stages
-        loads: dict[str, Watt] = {name: link.power_in * ratio**2 for name, link in taken.items()}
-        needed = {name: sum(wheel.parts()) + np.zeros(ratio.shape) for name, wheel in at.wheels.items()}
+        loads: dict[str, Watt] = {name: link.power_in * r**2 for name, link in taken.items()}
+        needed: dict[str, Any] = {name: sum(wheel.parts()) + np.zeros(r.shape) for name, wheel in at.wheels.items()}
         for name, (_, loss) in at.bearings(loads).items():
             needed[name] += np.ravel(loss)
         for name, end in ends.items():
             teeth = balance.at_teeth(end.wheel)
-            needed[end.wheel] += shaft_loss(end.journals, None if teeth is None else teeth * ratio**2, loads)
+            needed[end.wheel] += shaft_loss(end.journals, None if teeth is None else teeth * r**2, loads)
             needed[end.wheel] += np.ravel(at.masses[name].mass_loss) if name in at.masses else 0.0
         for hung in at.hung:
             needed[hung.wheel] += hung.power
         if balance.delivered_power is not None:
-            needed[d.last] += balance.delivered_power * ratio
+            needed[d.last] += balance.delivered_power * r
         return {name: P / (2 * np.pi * np.abs(at.wheels[name].speed)) for name, P in needed.items()}

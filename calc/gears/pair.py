@@ -72,7 +72,7 @@ def solve_mesh(
         with about(Text("mesh {pair}, longest tips and closest centres", pair=mesh.title)):
             values |= _closest(a_w, tolerance, (driver, driven))
     values |= backlash(system, place, driver, driven, a_w, tolerance)
-    return MeshResult(**values, driver=mesh.driver, driven=mesh.driven, rating=None)
+    return MeshResult(**values, driver=mesh.driver, driven=mesh.driven, rating=None, over_speed=None)
 
 
 def _side(

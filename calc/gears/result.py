@@ -16,8 +16,8 @@ from .stages import StageResult
 from .tree import Tree
 
 if TYPE_CHECKING:
-    from .drive.result import DriveResult, MeshOverSpeed, WheelStruck
     from ..countershaft.sums import ToothOff
+    from .drive.result import DriveResult, MeshOverSpeed, WheelStruck
 
 
 @result

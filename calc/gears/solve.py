@@ -24,10 +24,10 @@ from .backlash.formulas import residual_couple, residual_force
 from .backlash.solve import play, with_couple
 from .checks import checks as train_checks
 from .checks import no_wheel_check, speed_ratio_check
-from .formulas import speed_ratio as speed_ratio_of
 from .drive.result import DriveResult
 from .drive.solve import over_speed
 from .drive.struck import struck as struck_parts
+from .formulas import speed_ratio as speed_ratio_of
 from .inputs import ONLY, GearsInputs, Mesh
 from .layout.forces import forces
 from .layout.solve import ShaftInTrain, layout

@@ -107,6 +107,7 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
             seat=place,
             ends=ends,
             measures=None,
+            strikes=None,
             **limits,
             **_tips(wheel, d_a),
         )

@@ -148,6 +148,7 @@ _ROWS = (  # symbol, suffix of keys, factor
     ("1/s", "_1_s", 1.0),
     ("Hz", "_Hz", 1.0),
     ("rad/s", "_rad_s", 1.0),
+    ("rad/s²", "_rad_s2", 1.0),
     ("mm/s", "_mm_s", 1e-3),
     ("mm/s/N", "_mm_s_N", 1e-3),
     ("m/s", "_m_s", 1.0),

@@ -165,7 +165,8 @@ def on_line(
     """`own`: what `inertias` gives."""
     links, reached = train.tree.links, {train.tree.first: -1}
     r_first = _radius(train, train.tree.first)
-    parent, rho, radius, mass, width, stiffness = [], [], [], [], [], []
+    parent = list[int]()
+    rho, radius, mass, width, stiffness = list[Number](), list[Metre](), list[Kilogram](), list[Metre](), list[float]()
     play: dict[str, list[Metre]] = {"nominal": [], "most": [], "least": []}
     for i, link in enumerate(links):
         before = reached[link.driver]
@@ -234,4 +235,4 @@ def measured(rows: Sequence[DragRow], wheel: str, speeds: Array) -> Array | None
     """The drag of a wheel that is given over the speed of the crank, linear between the rows and constant outside; None
     where it is not."""
     mine = sorted((float(row.speed), float(row.torque)) for row in rows if row.wheel == wheel)
-    return np.interp(speeds, *zip(*mine)) if mine else None
+    return np.interp(speeds, [n for n, _ in mine], [T for _, T in mine]) if mine else None

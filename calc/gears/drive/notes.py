@@ -27,7 +27,9 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
     if not drive.drive.drag_known:
         yield Text("No drag is known: the flanks are held by nothing, and the ratio of inertia to drag has no value.")
     if source.J_E is not None:
-        yield Text("Beside flywheel and train nothing counts on the crank: its own inertia, gear and pulley are not known.")
+        yield Text(
+            "Beside flywheel and train nothing counts on the crank: its own inertia, gear and pulley are not known."
+        )
         of_train = float(source.J_E) - float(work.engine.flywheel_inertia or 0.0)
         if of_train > REFLECTED * float(source.J_E):
             yield Text(
@@ -40,7 +42,9 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
                 "give [engine.crank_twist]."
             )
     if IDLE not in drive.at:
-        yield Text("Idle without load is not known, so that nothing is graded: give an [[engine.operation]] row of load 0.")
+        yield Text(
+            "Idle without load is not known, so that nothing is graded: give an [[engine.operation]] row of load 0."
+        )
     yield Text(
         "Strikes are without rebound, at steady speed, of rigid bodies; oil squeezed between flanks would take speed off "
         "light wheels."

@@ -12,7 +12,6 @@ from ...sheet.text import Amount, Name, Text, listed
 from ...sheet.units import Hertz, Metre, NewtonPerMetre, Number, Pascal, RevPerSecond
 from ...sheet.value import about, based_on, untraced
 from ..inputs import GearsInputs
-from ..rating.load import firing_order
 from ..rating.result import Influence
 from ..result import MeshResult, TrainResult
 
@@ -97,7 +96,7 @@ def orders_table(
         by_order.setdefault(round(float(mesh.order), 9), []).append(train.meshes[key].title)
     whats: list[tuple[Text, float]] = [(Name(", ".join(titles)), order) for order, titles in by_order.items()]
     if cylinders is not None:
-        whats.append((Text("firing"), firing_order(cylinders, strokes)))
+        whats.append((Text("firing"), 2 * cylinders / strokes))
     with untraced():
         rows = tuple(
             (what, k, k * order, mesh_frequency(k=k, o=order, n=idle), mesh_frequency(k=k, o=order, n=rated))

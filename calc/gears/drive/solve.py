@@ -5,7 +5,7 @@
 of the strikes in place of that torque."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial, reduce
 
 import numpy as np
@@ -14,7 +14,7 @@ from ...engine.inputs import EngineInputs
 from ...engine.load import CrankTorque, crank_torque
 from ...engine.operation import GasRow
 from ...engine.result import EngineResult
-from ...friction.drag import drags, mesh_loss
+from ...friction.drag import drags
 from ...friction.result import FrictionResult
 from ...library.catalogue import Material
 from ...sheet.arrays import Array
@@ -161,7 +161,8 @@ def source_of(work: CrankAtWork, gears: GearsInputs, line: TrainOnLine) -> Sourc
     engine, end = work.engine, gears.drive.driven_from if gears.drive is not None else None
     nose = end == "nose" if end is not None else bool(work.front)
     rows: tuple[UnevenRow, ...] = ()
-    J_E, loads = None, (0.0,)
+    J_E: KilogramMetre2 | None = None
+    loads: tuple[float, ...] = (0.0,)
     if gears.drive is not None and gears.drive.irregularity:
         usual = firing_order(engine)
         rows = tuple(
@@ -244,13 +245,15 @@ class Drive:
         if row is None:
             return EMPTY
         return Text(
-            "an irregularity of {delta} at idle, {n}", delta=Amount(row.delta * 100, "%"), n=Amount(row.speed * 60, "rpm", form=".0f")
+            "an irregularity of {delta} at idle, {n}",
+            delta=Amount(row.delta * 100, "%"),
+            n=Amount(row.speed * 60, "rpm", form=".0f"),
         )
 
     def lost(self, key: str) -> Callable[[Watt, Metre], Watt] | None:
         """What a mesh loses of a power by the friction of the closed balance, over a part of its face width."""
         friction = self.work.friction
-        return None if friction is None or friction.drive is None else partial(mesh_loss, friction.drive, key)
+        return None if friction is None or friction.drive is None else partial(friction.drive.loss_on, key)
 
     def drawn(self) -> Survey:
         """The map."""
@@ -464,7 +467,8 @@ def _power(judged: Survey, p: int, i: int, sources: Sequence[object]) -> Watt:
     if not T_o:
         return based_on(0.0, *sources)
     M = based_on(float(judged.closed.mass[i]), *sources)
-    return s.impact_power(M=M, u=based_on(flown[flown > 0], *sources), T=T_o)
+    W: Watt = s.impact_power(M=M, u=based_on(flown[flown > 0], *sources), T=T_o)
+    return W
 
 
 def _reversal(judged: Survey, i: int) -> tuple[RevPerSecond | None, RevPerSecond | None]:
@@ -502,7 +506,7 @@ def _torques(drive: Drive, judged: Survey, operations: Mapping[str, MotionAt], m
         slowing = of.mass[i] * of.slowing[:, i] * float(line.radius[i]) * link.z_1 / link.z_2
         D = of.drag[:, i]
         share = D / D[rated] if D[rated] > 0 else np.ones(D.size)
-        torques[link.key] = MeshTorques(dynamic, slowing, share)
+        torques[link.key] = MeshTorques(dynamic, slowing.tolist(), share.tolist())
     return Irregular(torques, drive.source.assumed)
 
 

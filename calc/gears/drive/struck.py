@@ -4,15 +4,13 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
 
 import numpy as np
 
 from ...sheet.check import Check
 from ...sheet.deferred import Later
-from ...sheet.record import record
 from ...sheet.step import Outcome
-from ...sheet.text import Amount, Text
+from ...sheet.text import Text
 from ...sheet.units import Newton, Number
 from ...sheet.value import about, based_on, trace
 from ..inputs import GearsInputs
@@ -23,7 +21,8 @@ from .notes import notes
 from .orders import error_by_load
 from .result import HARDEST, IDLE, OPERATIONS, DriveResult, MeshAt, MeshOverSpeed, WheelStruck
 from .scissor import ScissorCase, ScissorResult, scissor, scissor_checks
-from .strength import StrikeRate, strike_rate, struck as under_strike
+from .strength import StrikeRate, strike_rate
+from .strength import struck as under_strike
 
 STRUCK = (IDLE, HARDEST)  # where the teeth are rated under their strikes
 ESTIMATES = ("low", "high", "most")
