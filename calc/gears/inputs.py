@@ -124,6 +124,7 @@ class Mesh:
         Scissor,
         default=None,
         help="One wheel is split, and a spring turns its halves apart: the flanks stay closed.",
+        fold=MESHES,
     )
     stack: tuple[Contributor, ...] = tables(
         "Parts between the centres",
@@ -149,6 +150,9 @@ class Mesh:
             yield dotted(Mesh.stack), Text("give either contributors_mm or stack")
         if self.driver == self.driven:
             yield dotted(Mesh.driven), Text("a wheel can not drive itself")
+        if self.scissor is not None and self.scissor.wheel not in (None, self.driver, self.driven):
+            of_mesh = Text('must be "{driver}" or "{driven}", of this mesh', driver=self.driver, driven=self.driven)
+            yield dotted(Mesh.scissor, Scissor.wheel), of_mesh
 
 
 # --- a chain or a belt

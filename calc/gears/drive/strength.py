@@ -47,7 +47,7 @@ def strikes_of_tooth(s: Number, q: Number, z: Number) -> Number:
     >>> strikes_of_tooth(s=3.0, q=117.0, z=39.0)
     0.0769...
     """
-    return s * -floor(-q / z) / q
+    return s * (floor((q - 1) / z) + 1) / q
 
 
 @formula(

@@ -43,7 +43,7 @@ from .strength import contacts_per_turn, load_cycles, loading_of, rim_of
 ALONE = Surroundings()
 
 
-@formula("n", "kinematics: all wheels turn in proportion to the crank", unit="rpm", names={"r": "n_C/n_C,r"})
+@formula("n", "kinematics: all wheels turn in proportion to the crank", unit="rpm", names={"n": "n_r", "r": "r_n"})
 def speed_there(n: RevPerSecond, r: Number) -> RevPerSecond:
     """`r`: speed of the crank over that of the rating.
 

@@ -26,8 +26,10 @@ from calc.gears.drive.scissor_inputs import Scissor
 from calc.gears.drive.strength import held
 from calc.library.lubricant import Lubricant
 from calc.sheet.errors import NoSolution
+from calc.sheet.expression import show
 from calc.sheet.quantity import keys
 from calc.sheet.units import UNITS
+from calc.sheet.value import trace
 
 REFERENCE = json.loads((Path(__file__).parents[3] / "reference" / "drive.json").read_text(encoding="utf-8"))["given"]
 ROWS = {row["id"].rpartition(".")[2]: row for row in REFERENCE if ".scissor." in row["id"]}
@@ -93,6 +95,14 @@ def test_a_spring_in_its_mesh(context):
     assert spring.main_safety_bending == pytest.approx(min(main.bending.values()))
     strong = scissor(replace(given, torque=50.0), context, KEY, case)
     assert strong.opens_at is None and strong.sprung_safety_contact < spring.sprung_safety_contact
+
+
+def test_every_line_of_it_can_be_shown(context):
+    with trace() as lines:
+        spring = scissor(Scissor(torque=4.0), context, KEY, a_case(context, most=170.0))
+    shown = {line.symbol: line for line in map(show, lines)}
+    assert shown["n_o"].unit == "rpm" and float(shown["n_o"].value) == pytest.approx(spring.opens_at * 60, rel=1e-3)
+    assert {"T_S", "T_S,min", "F_S", "F_M", "b_S", "n_S", "S_H", "S_F"} <= shown.keys()
 
 
 def test_the_driver_may_be_split(context):
