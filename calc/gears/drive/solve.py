@@ -6,6 +6,7 @@ of the strikes in place of that torque."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial, reduce
 
 import numpy as np
@@ -59,9 +60,10 @@ from .motion import Motion
 from .orders import mesh_order
 from .result import HARDEST, IDLE, IDLE_FULL, OPERATIONS, RATED, DriveResult, MeshAt, MeshOverSpeed, MotionAt
 from .scissor import split_wheel
-from .survey import DRAWN, LOADS, Drags, Spring, Survey, grid, survey
+from .survey import DRAWN, FULL, JUDGED, LOADS, Drags, Spring, Survey, grid, survey
 
 DRAG_SPEEDS = 7
+TRACED = (IDLE, HARDEST)  # the operating points whose strikes are shown line by line
 TURN = 2 * math.pi
 
 
@@ -138,6 +140,10 @@ class Source:
     def cycle(self) -> float:
         return self.work.engine.strokes * math.pi
 
+    def points(self, count: int = JUDGED) -> tuple[Array, Array]:
+        """Speeds from idle to rated with every load."""
+        return grid(float(self.work.idle), float(self.work.engine.rated_speed), self.loads, count)
+
     def torque(self, speeds: Array, loads: Array) -> CrankTorque:
         work = self.work
         return crank_torque(work.engine, work.e, work.rows, speeds, loads, idle=work.idle)
@@ -178,21 +184,10 @@ def source_of(work: CrankAtWork, gears: GearsInputs, line: TrainOnLine) -> Sourc
             J_E = reduce(
                 lambda J, of: with_body(J=J, J_k=of[0], i_k=of[1]), zip(line.J, turns), engine.flywheel_inertia
             )
-        one_load = engine.gas is None or bool(engine.gas.pressure)
-        loads = (1.0,) if one_load or not _idles(work) else LOADS
+        loads = FULL if engine.gas is None or engine.gas.pressure else LOADS
     else:
         rows = (default_row(engine, work.idle),)
     return Source(work, gears, J_E, rows, loads, nose, line.first_radius)
-
-
-def _idles(work: CrankAtWork) -> bool:
-    """Whether the cycle without brake load is known or can be solved; else full load stands alone."""
-    try:
-        with untraced():
-            crank_torque(work.engine, work.e, work.rows, np.array([float(work.idle)]), np.zeros(1), idle=work.idle)
-    except NoSolution:
-        return False
-    return True
 
 
 # --- what drags
@@ -257,9 +252,8 @@ class Drive:
 
     def drawn(self) -> Survey:
         """The map."""
-        work = self.work
         with untraced():
-            return self.survey(*grid(float(work.idle), float(work.engine.rated_speed), self.source.loads, DRAWN))
+            return self.survey(*self.source.points(DRAWN))
 
 
 def over_speed(
@@ -278,11 +272,11 @@ def over_speed(
         if drags is None:
             drags = Drags(np.array([float(work.idle), float(work.engine.rated_speed)]), np.zeros((2, B)))
         springs = _springs(gears, train, line)
-        drive = Drive(work, line, source, drags, springs, known)
-        speeds, loads = grid(float(work.idle), float(work.engine.rated_speed), source.loads)
         with about(Text("crank, over speed and load")):
-            torque = None if source.J_E is None else source.torque(speeds, loads)
-            moved = source.moved(speeds, loads, torque)
+            source, torque = _turning(source)
+        speeds, loads = source.points()
+        moved = source.moved(speeds, loads, torque)
+        drive = Drive(work, line, source, drags, springs, known)
         with untraced():
             judged = survey(lambda *_: moved, line, drags, springs, speeds, loads)
         at = _operations(drive, judged)
@@ -296,6 +290,19 @@ def over_speed(
     finite(result, "gears", EXTREME)
     notes = torque.notes if torque is not None else ()
     return Outcome("gears", result=result, lines=tuple(lines), notes=notes)
+
+
+def _turning(source: Source) -> tuple[Source, CrankTorque | None]:
+    """The torque at the points that are judged; where the cycle without brake load is neither known nor solved, at full
+    load alone, and the reason with it."""
+    if source.J_E is None:
+        return source, None
+    try:
+        return source, source.torque(*source.points())
+    except NoSolution as none:
+        alone = replace(source, loads=FULL)
+        torque = alone.torque(*alone.points())
+        return alone, replace(torque, notes=(*torque.notes, Text("Full load alone: {reason}.", reason=none.text)))
 
 
 def _springs(gears: GearsInputs, train: TrainResult, line: TrainOnLine) -> dict[int, Spring]:
@@ -389,7 +396,7 @@ def _meshes(
         for i, link in enumerate(line.links):
             if link.toothed:
                 with about(Text("mesh {pair}, {op}", pair=link.title, op=OPERATIONS[op])):
-                    by_mesh[link.key][op] = _mesh_at(drive, judged, most, p, place, i, M, D, operations[op])
+                    by_mesh[link.key][op] = _mesh_at(drive, judged, most, p, place, i, M, D, op, operations[op])
     spans = {}
     for i, link in enumerate(line.links):
         if link.toothed:
@@ -422,6 +429,7 @@ def _mesh_at(
     i: int,
     M: Sequence[Kilogram],
     D: Sequence[Newton],
+    op: str,
     crank: MotionAt,
 ) -> MeshAt:
     """One mesh at a point of the survey, which is the one at `place` in that of the largest backlash."""
@@ -434,7 +442,10 @@ def _mesh_at(
     sources = (M[i], down, up, D[i], *(line.play["nominal"][k] for k in line.path(i)))
     if judged.bodies.gravity is not None:
         least, largest = based_on(float(of.least[p, i]), least), based_on(float(of.most[p, i]), largest)
-    low, high = forces_of(judged.bodies, of, judged.strikes, i, p, sources=sources)
+    if op in TRACED:
+        low, high = forces_of(judged.bodies, of, judged.strikes, i, p, sources=sources)
+    else:
+        low, high = based_on(float(hits.low[p, i]), *sources), based_on(float(hits.high[p, i]), *sources)
     u = float(hits.speed[p, i])
     far, worst = most.closed, most.impacts
     return MeshAt(

@@ -26,6 +26,7 @@ from .strength import struck as under_strike
 
 STRUCK = (IDLE, HARDEST)  # where the teeth are rated under their strikes
 ESTIMATES = ("low", "high", "most")
+SMALLER = 0.8  # of the force where it is hardest: at idle, slower, such a force leaves more of every safety
 
 
 def struck(
@@ -73,6 +74,8 @@ def _safeties(
         for key, mesh in meshes.items():
             for estimate in ESTIMATES:
                 F = force_of(mesh.operations[op], estimate)
+                if op == IDLE and F < SMALLER * force_of(mesh.operations[HARDEST], estimate):
+                    continue
                 with about(Text("mesh {pair}, strikes, {op}", pair=train.meshes[key].title, op=OPERATIONS[op])):
                     loaded = under_strike(context, key, F, ratio, rate)
                 if loaded is None:

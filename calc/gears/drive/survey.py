@@ -20,6 +20,7 @@ from .strikes import Closed, Strikes, closed, fly
 
 JUDGED, DRAWN = 12, 60  # speeds from idle to rated
 LOADS = 0.0, 0.5, 1.0
+FULL = (1.0,)
 CORNERS: Mapping[str, Number] = {"nominal": 1.0, "most": 0.7, "least": 1.3}  # of the drag: rule of this program
 
 
