@@ -8,6 +8,8 @@ reaches, and stays there where p presses it to it; else it lets go at once.
 
 Time is counted in steps between the nodes of the motion: speeds are in metres a step, accelerations in metres a step²."""
 
+from functools import cached_property
+
 import numpy as np
 
 from ...sheet.arrays import Array, BoolArray, IndexArray
@@ -27,11 +29,19 @@ class Wave:
     v: Array  # (R, K) in m/step
     x: Array  # (R, K) in m
 
-    def part(self, nodes: Array, row: IndexArray, start: IndexArray, length: int) -> Array:
-        """(L, length): what follows in a row from a node on, round the period."""
-        K = nodes.shape[1]
-        twice = np.concatenate((nodes, nodes), 1)
-        return twice.reshape(-1)[(row * 2 * K + start % K)[:, None] + np.arange(length)]
+    @cached_property
+    def a_twice(self) -> Array:
+        return np.concatenate((self.a, self.a), 1)
+
+    @cached_property
+    def x_twice(self) -> Array:
+        return np.concatenate((self.x, self.x), 1)
+
+
+def _period_from(twice: Array, row: IndexArray, start: IndexArray) -> Array:
+    """(L, K): a period of a row from a node on, out of two periods (R, 2K)."""
+    K = twice.shape[1] // 2
+    return twice.reshape(-1)[(row * 2 * K + start % K)[:, None] + np.arange(K)]
 
 
 @record
@@ -52,14 +62,15 @@ class Events:
 def events(wave: Wave, row: IndexArray, g: Array, J: Array) -> Events:
     """From the driving flank where it is pressed most, until a body lets go of the same flank at the same phase again.
 
-    `row` (L,) of the wave, g (L,) in m/step² and J > 0 (L,) in m of each lane; p must have both signs."""
+    `row` (L,) of the wave, g (L,) in m/step² and J > 0 (L,) in m of each lane; where p has one sign alone
+    at all nodes there is no event."""
     L, K = row.size, wave.a.shape[1]
     let_go, at, slope, press = (np.full((L, EVENTS + more), np.nan) for more in (1, 0, 0, 0))
     left, flank = np.zeros((L, EVENTS + 1), int), np.zeros((L, EVENTS), int)
     first, last, closes = np.zeros(L, int), np.zeros(L, int), np.zeros(L, bool)
     left[:, 0] = 1
     let_go[:, 0] = _letting_go(wave, row, g, left[:, 0], np.argmax(wave.a, 1)[row].astype(float))
-    lanes = np.arange(L)  # those that have not closed yet
+    lanes = np.flatnonzero(np.isfinite(let_go[:, 0]))  # those that have not closed yet
     for e in range(EVENTS):
         rows, gs = row[lanes], g[lanes]
         t, to, speed, p = _flight(wave, rows, gs, J[lanes], let_go[lanes, e], left[lanes, e])
@@ -85,13 +96,13 @@ def events(wave: Wave, row: IndexArray, g: Array, J: Array) -> Events:
 
 
 def _letting_go(wave: Wave, row: IndexArray, g: Array, side: IndexArray, since: Array) -> Array:
-    """When p next changes sign against a flank that it presses; linear between two nodes."""
+    """When p next changes sign against a flank that it presses, linear between two nodes; NaN: at no node."""
     K = wave.a.shape[1]
     start = np.ceil(since).astype(int)
-    pressed = side[:, None] * (wave.part(wave.a, row, start, K) + g[:, None])
-    node = start + np.argmax(pressed < 0, 1)
+    against = side[:, None] * (_period_from(wave.a_twice, row, start) + g[:, None]) < 0
+    turns, node = against.any(1), start + np.argmax(against, 1)
     p_0, p_1 = wave.a[row, (node - 1) % K] + g, wave.a[row, node % K] + g
-    return node - 1 + p_0 / (p_0 - p_1)
+    return np.where(turns, node - p_1 / np.where(turns, p_1 - p_0, 1.0), np.nan)
 
 
 def _flight(
@@ -110,7 +121,7 @@ def _flight(
     lanes = np.arange(row.size)
     for period in range(PERIODS):
         tau = (1 + period * K + np.arange(K)) - s[lanes, None]
-        y = wave.part(wave.x, row[lanes], start[lanes] + 1, K) + y_0[lanes, None]
+        y = _period_from(wave.x_twice, row[lanes], start[lanes] + 1) + y_0[lanes, None]
         y += tau * (0.5 * g[lanes, None] * tau - v_0[lanes, None])
         over, under = y > 0, y < -J[lanes, None]
         if period == 0:  # at the first node the flank that is left is met by rounding alone
@@ -134,9 +145,10 @@ def _flight(
     p_a, p_b = wave.a[row, k_0] + g, wave.a[row, k_1] + g
     wall = np.where(to > 0, 0.0, -J)
     low, high = np.maximum(-tau_0, 0.0), np.ones(row.size)
+    c_0, c_2, c_3 = y_a - wall, 3 * (y_b - y_a) - 2 * w_a - w_b, w_a + w_b - 2 * (y_b - y_a)
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        beyond = to * (_cubic(y_a, y_b, w_a, w_b, middle) - wall) > 0
+        beyond = (c_0 + middle * (w_a + middle * (c_2 + middle * c_3)) > 0) == (to > 0)
         low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
     return node - 1 + high, to, _cubic(w_a, w_b, p_a, p_b, high), p_a + (p_b - p_a) * high
 
