@@ -25,6 +25,7 @@ SAME_PHASE = 1e-6  # of the period
 class Wave:
     """Motions on the nodes of their period, R of them; each about its own mean."""
 
+    jerk: Array  # (R, K) in m/step³
     a: Array  # (R, K) in m/step²
     v: Array  # (R, K) in m/step
     x: Array  # (R, K) in m
@@ -96,13 +97,14 @@ def events(wave: Wave, row: IndexArray, g: Array, J: Array) -> Events:
 
 
 def _letting_go(wave: Wave, row: IndexArray, g: Array, side: IndexArray, since: Array) -> Array:
-    """When p next changes sign against a flank that it presses, linear between two nodes; NaN: at no node."""
+    """When p next changes sign against a flank that it presses; NaN: at no node."""
     K = wave.a.shape[1]
     start = np.ceil(since).astype(int)
     against = side[:, None] * (_period_from(wave.a_twice, row, start) + g[:, None]) < 0
     turns, node = against.any(1), start + np.argmax(against, 1)
-    p_0, p_1 = wave.a[row, (node - 1) % K] + g, wave.a[row, node % K] + g
-    return np.where(turns, node - p_1 / np.where(turns, p_1 - p_0, 1.0), np.nan)
+    a, b = (node - 1) % K, node % K
+    p = Cubic.between(wave.a[row, a] + g, wave.a[row, b] + g, wave.jerk[row, a], wave.jerk[row, b])
+    return np.where(turns, node - 1 + p.crossing(0.0, -side, np.maximum(since - node + 1, 0.0)), np.nan)
 
 
 def _flight(
@@ -111,16 +113,12 @@ def _flight(
     """Time and flank of the strike (0: none), y' and p there."""
     K = wave.a.shape[1]
     start = np.floor(since).astype(int)
-    k, s = start % K, since - start
-    after = (k + 1) % K
-    a_0, a_1, v_k = wave.a[row, k], wave.a[row, after], wave.v[row, k]
-    v_0 = _cubic(v_k, wave.v[row, after], a_0, a_1, s)
-    x_0 = _cubic(wave.x[row, k], wave.x[row, after], v_k, wave.v[row, after], s)
+    v_0, x_0 = (_at(f, d, row, start, since - start) for f, d in ((wave.v, wave.a), (wave.x, wave.v)))
     y_0 = np.where(side > 0, 0.0, -J) - x_0
     node, to = np.zeros(row.size, int), np.zeros(row.size, int)
     lanes = np.arange(row.size)
     for period in range(PERIODS):
-        tau = (1 + period * K + np.arange(K)) - s[lanes, None]
+        tau = (1 + period * K + np.arange(K)) - (since - start)[lanes, None]
         y = _period_from(wave.x_twice, row[lanes], start[lanes] + 1) + y_0[lanes, None]
         y += tau * (0.5 * g[lanes, None] * tau - v_0[lanes, None])
         over, under = y > 0, y < -J[lanes, None]
@@ -136,24 +134,43 @@ def _flight(
         lanes = lanes[~met]
         if not lanes.size:
             break
-    # the last panel: y, its slope and p at both of its ends
-    k_0, k_1 = (node - 1) % K, node % K
-    tau_0, tau_1 = node - 1 - since, node - since
-    y_a = y_0 + wave.x[row, k_0] + tau_0 * (0.5 * g * tau_0 - v_0)
-    y_b = y_0 + wave.x[row, k_1] + tau_1 * (0.5 * g * tau_1 - v_0)
-    w_a, w_b = wave.v[row, k_0] - v_0 + g * tau_0, wave.v[row, k_1] - v_0 + g * tau_1
-    p_a, p_b = wave.a[row, k_0] + g, wave.a[row, k_1] + g
-    wall = np.where(to > 0, 0.0, -J)
-    low, high = np.maximum(-tau_0, 0.0), np.ones(row.size)
-    c_0, c_2, c_3 = y_a - wall, 3 * (y_b - y_a) - 2 * w_a - w_b, w_a + w_b - 2 * (y_b - y_a)
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        beyond = (c_0 + middle * (w_a + middle * (c_2 + middle * c_3)) > 0) == (to > 0)
-        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-    return node - 1 + high, to, _cubic(w_a, w_b, p_a, p_b, high), p_a + (p_b - p_a) * high
+    # the last panel: y and its slope at both of its ends
+    ends = [(n % K, n - since) for n in (node - 1, node)]
+    y_a, y_b = (y_0 + wave.x[row, n] + tau * (0.5 * g * tau - v_0) for n, tau in ends)
+    w_a, w_b = (wave.v[row, n] - v_0 + g * tau for n, tau in ends)
+    s = Cubic.between(y_a, y_b, w_a, w_b).crossing(np.where(to > 0, 0.0, -J), to, np.maximum(since - node + 1, 0.0))
+    at = node - 1 + s
+    speed = _at(wave.v, wave.a, row, node - 1, s) - v_0 + g * (at - since)
+    return at, to, speed, _at(wave.a, wave.jerk, row, node - 1, s) + g
 
 
-def _cubic(f_0: Array, f_1: Array, d_0: Array, d_1: Array, s: Array) -> Array:
-    """Hermite's cubic between two nodes, from the values and slopes at both."""
-    rise = f_1 - f_0
-    return f_0 + s * (d_0 + s * (3 * rise - 2 * d_0 - d_1 + s * (d_0 + d_1 - 2 * rise)))
+def _at(nodes: Array, slopes: Array, row: IndexArray, start: IndexArray, s: Array) -> Array:
+    """A share s behind a node."""
+    a, b = start % nodes.shape[1], (start + 1) % nodes.shape[1]
+    return Cubic.between(nodes[row, a], nodes[row, b], slopes[row, a], slopes[row, b]).at(s)
+
+
+@record
+class Cubic:
+    """Hermite's, between two nodes."""
+
+    c: tuple[Array, Array, Array, Array]  # of 1, s, s², s³
+
+    @classmethod
+    def between(cls, f_0: Array, f_1: Array, d_0: Array, d_1: Array) -> "Cubic":
+        """From the values and the slopes at both."""
+        rise = f_1 - f_0
+        return cls((f_0, d_0, 3 * rise - 2 * d_0 - d_1, d_0 + d_1 - 2 * rise))
+
+    def at(self, s: Array) -> Array:
+        c_0, c_1, c_2, c_3 = self.c
+        return c_0 + s * (c_1 + s * (c_2 + s * c_3))
+
+    def crossing(self, level: Array | float, side: IndexArray, low: Array) -> Array:
+        """Where it is first beyond a level, above (side 1) or below (−1), from `low` on to the second node."""
+        high = np.ones(low.shape)
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            beyond = side * (self.at(middle) - level) > 0
+            low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+        return high
