@@ -8,6 +8,8 @@ reaches, and stays there where p presses it to it; else it lets go at once.
 
 Time is counted in steps between the nodes of the motion: speeds are in metres a step, accelerations in metres a step²."""
 
+from functools import cached_property
+
 import numpy as np
 
 from ...sheet.arrays import Array, BoolArray, IndexArray
@@ -23,15 +25,24 @@ SAME_PHASE = 1e-6  # of the period
 class Wave:
     """Motions on the nodes of their period, R of them; each about its own mean."""
 
+    jerk: Array  # (R, K) in m/step³
     a: Array  # (R, K) in m/step²
     v: Array  # (R, K) in m/step
     x: Array  # (R, K) in m
 
-    def part(self, nodes: Array, row: IndexArray, start: IndexArray, length: int) -> Array:
-        """(L, length): what follows in a row from a node on, round the period."""
-        K = nodes.shape[1]
-        twice = np.concatenate((nodes, nodes), 1)
-        return twice.reshape(-1)[(row * 2 * K + start % K)[:, None] + np.arange(length)]
+    @cached_property
+    def a_twice(self) -> Array:
+        return np.concatenate((self.a, self.a), 1)
+
+    @cached_property
+    def x_twice(self) -> Array:
+        return np.concatenate((self.x, self.x), 1)
+
+
+def _period_from(twice: Array, row: IndexArray, start: IndexArray) -> Array:
+    """(L, K): a period of a row from a node on, out of two periods (R, 2K)."""
+    K = twice.shape[1] // 2
+    return twice.reshape(-1)[(row * 2 * K + start % K)[:, None] + np.arange(K)]
 
 
 @record
@@ -52,14 +63,15 @@ class Events:
 def events(wave: Wave, row: IndexArray, g: Array, J: Array) -> Events:
     """From the driving flank where it is pressed most, until a body lets go of the same flank at the same phase again.
 
-    `row` (L,) of the wave, g (L,) in m/step² and J > 0 (L,) in m of each lane; p must have both signs."""
+    `row` (L,) of the wave, g (L,) in m/step² and J > 0 (L,) in m of each lane; where p has one sign alone
+    at all nodes there is no event."""
     L, K = row.size, wave.a.shape[1]
     let_go, at, slope, press = (np.full((L, EVENTS + more), np.nan) for more in (1, 0, 0, 0))
     left, flank = np.zeros((L, EVENTS + 1), int), np.zeros((L, EVENTS), int)
     first, last, closes = np.zeros(L, int), np.zeros(L, int), np.zeros(L, bool)
     left[:, 0] = 1
     let_go[:, 0] = _letting_go(wave, row, g, left[:, 0], np.argmax(wave.a, 1)[row].astype(float))
-    lanes = np.arange(L)  # those that have not closed yet
+    lanes = np.flatnonzero(np.isfinite(let_go[:, 0]))  # those that have not closed yet
     for e in range(EVENTS):
         rows, gs = row[lanes], g[lanes]
         t, to, speed, p = _flight(wave, rows, gs, J[lanes], let_go[lanes, e], left[lanes, e])
@@ -85,13 +97,14 @@ def events(wave: Wave, row: IndexArray, g: Array, J: Array) -> Events:
 
 
 def _letting_go(wave: Wave, row: IndexArray, g: Array, side: IndexArray, since: Array) -> Array:
-    """When p next changes sign against a flank that it presses; linear between two nodes."""
+    """When p next changes sign against a flank that it presses; NaN: at no node."""
     K = wave.a.shape[1]
     start = np.ceil(since).astype(int)
-    pressed = side[:, None] * (wave.part(wave.a, row, start, K) + g[:, None])
-    node = start + np.argmax(pressed < 0, 1)
-    p_0, p_1 = wave.a[row, (node - 1) % K] + g, wave.a[row, node % K] + g
-    return node - 1 + p_0 / (p_0 - p_1)
+    against = side[:, None] * (_period_from(wave.a_twice, row, start) + g[:, None]) < 0
+    turns, node = against.any(1), start + np.argmax(against, 1)
+    a, b = (node - 1) % K, node % K
+    p = Cubic.between(wave.a[row, a] + g, wave.a[row, b] + g, wave.jerk[row, a], wave.jerk[row, b])
+    return np.where(turns, node - 1 + p.crossing(0.0, -side, np.maximum(since - node + 1, 0.0)), np.nan)
 
 
 def _flight(
@@ -100,17 +113,13 @@ def _flight(
     """Time and flank of the strike (0: none), y' and p there."""
     K = wave.a.shape[1]
     start = np.floor(since).astype(int)
-    k, s = start % K, since - start
-    after = (k + 1) % K
-    a_0, a_1, v_k = wave.a[row, k], wave.a[row, after], wave.v[row, k]
-    v_0 = _cubic(v_k, wave.v[row, after], a_0, a_1, s)
-    x_0 = _cubic(wave.x[row, k], wave.x[row, after], v_k, wave.v[row, after], s)
+    v_0, x_0 = (_at(f, d, row, start, since - start) for f, d in ((wave.v, wave.a), (wave.x, wave.v)))
     y_0 = np.where(side > 0, 0.0, -J) - x_0
     node, to = np.zeros(row.size, int), np.zeros(row.size, int)
     lanes = np.arange(row.size)
     for period in range(PERIODS):
-        tau = (1 + period * K + np.arange(K)) - s[lanes, None]
-        y = wave.part(wave.x, row[lanes], start[lanes] + 1, K) + y_0[lanes, None]
+        tau = (1 + period * K + np.arange(K)) - (since - start)[lanes, None]
+        y = _period_from(wave.x_twice, row[lanes], start[lanes] + 1) + y_0[lanes, None]
         y += tau * (0.5 * g[lanes, None] * tau - v_0[lanes, None])
         over, under = y > 0, y < -J[lanes, None]
         if period == 0:  # at the first node the flank that is left is met by rounding alone
@@ -125,23 +134,43 @@ def _flight(
         lanes = lanes[~met]
         if not lanes.size:
             break
-    # the last panel: y, its slope and p at both of its ends
-    k_0, k_1 = (node - 1) % K, node % K
-    tau_0, tau_1 = node - 1 - since, node - since
-    y_a = y_0 + wave.x[row, k_0] + tau_0 * (0.5 * g * tau_0 - v_0)
-    y_b = y_0 + wave.x[row, k_1] + tau_1 * (0.5 * g * tau_1 - v_0)
-    w_a, w_b = wave.v[row, k_0] - v_0 + g * tau_0, wave.v[row, k_1] - v_0 + g * tau_1
-    p_a, p_b = wave.a[row, k_0] + g, wave.a[row, k_1] + g
-    wall = np.where(to > 0, 0.0, -J)
-    low, high = np.maximum(-tau_0, 0.0), np.ones(row.size)
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        beyond = to * (_cubic(y_a, y_b, w_a, w_b, middle) - wall) > 0
-        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-    return node - 1 + high, to, _cubic(w_a, w_b, p_a, p_b, high), p_a + (p_b - p_a) * high
+    # the last panel: y and its slope at both of its ends
+    ends = [(n % K, n - since) for n in (node - 1, node)]
+    y_a, y_b = (y_0 + wave.x[row, n] + tau * (0.5 * g * tau - v_0) for n, tau in ends)
+    w_a, w_b = (wave.v[row, n] - v_0 + g * tau for n, tau in ends)
+    s = Cubic.between(y_a, y_b, w_a, w_b).crossing(np.where(to > 0, 0.0, -J), to, np.maximum(since - node + 1, 0.0))
+    at = node - 1 + s
+    speed = _at(wave.v, wave.a, row, node - 1, s) - v_0 + g * (at - since)
+    return at, to, speed, _at(wave.a, wave.jerk, row, node - 1, s) + g
 
 
-def _cubic(f_0: Array, f_1: Array, d_0: Array, d_1: Array, s: Array) -> Array:
-    """Hermite's cubic between two nodes, from the values and slopes at both."""
-    rise = f_1 - f_0
-    return f_0 + s * (d_0 + s * (3 * rise - 2 * d_0 - d_1 + s * (d_0 + d_1 - 2 * rise)))
+def _at(nodes: Array, slopes: Array, row: IndexArray, start: IndexArray, s: Array) -> Array:
+    """A share s behind a node."""
+    a, b = start % nodes.shape[1], (start + 1) % nodes.shape[1]
+    return Cubic.between(nodes[row, a], nodes[row, b], slopes[row, a], slopes[row, b]).at(s)
+
+
+@record
+class Cubic:
+    """Hermite's, between two nodes."""
+
+    c: tuple[Array, Array, Array, Array]  # of 1, s, s², s³
+
+    @classmethod
+    def between(cls, f_0: Array, f_1: Array, d_0: Array, d_1: Array) -> "Cubic":
+        """From the values and the slopes at both."""
+        rise = f_1 - f_0
+        return cls((f_0, d_0, 3 * rise - 2 * d_0 - d_1, d_0 + d_1 - 2 * rise))
+
+    def at(self, s: Array) -> Array:
+        c_0, c_1, c_2, c_3 = self.c
+        return c_0 + s * (c_1 + s * (c_2 + s * c_3))
+
+    def crossing(self, level: Array | float, side: IndexArray, low: Array) -> Array:
+        """Where it is first beyond a level, above (side 1) or below (−1), from `low` on to the second node."""
+        high = np.ones(low.shape)
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            beyond = side * (self.at(middle) - level) > 0
+            low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+        return high

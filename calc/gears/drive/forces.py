@@ -147,12 +147,12 @@ def _high(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
 
 
 def _low(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
-    """(P, on, by, E) through the teeth of the path to a body: the strikes of each body on it, on all that is behind."""
-    rho = np.where(teeth.there[:, None], bodies.lever, 0.0).T  # (on, mesh)
-    to_mesh = np.where(rho > 0, rho, 1.0)
+    """(P, on, by, E) through the teeth of the path to a body: the strikes of each body on it, on all that is behind.
+    Every mesh of the path is as stiff as it is at the force in the last one."""
+    rho = np.where(teeth.there[:, None], bodies.lever, 0.0).T  # (on, mesh): what is not on the path gives nothing
 
     def series(F: Array, on: IndexArray) -> Array:
-        k: Array = path_stiffness(stiffness_at(F[:, None] * to_mesh[on], teeth.b, teeth.c), rho[on])
+        k: Array = path_stiffness(stiffness_at(F[:, None], teeth.b, teeth.c), rho[on])
         return k
 
     M = np.broadcast_to(of.mass[:, None], bodies.before.shape)
@@ -221,9 +221,10 @@ def forces_of(
         on, by, event = (int(n) for n in np.unravel_index(np.argmax(low), low.shape))
         M, u, p = (based_on(x, *sources) for x in _seen(bodies, of, strikes, mesh, on, by, event))
         path = np.flatnonzero(bodies.before[:, on] & teeth.there)
-        rho = bodies.ratio[mesh] / bodies.ratio[path]
+        F_last = F / float(bodies.lever[mesh, on])
         with about(Text("all teeth of the path")):
-            F_low = strike_force(M, p, path_stiffness(stiffness_at(F * rho, teeth.b[path], teeth.c[path]), rho), u)
+            k = stiffness_at(F_last, teeth.b[path], teeth.c[path])
+            F_low = strike_force(M, p, path_stiffness(k, bodies.ratio[mesh] / bodies.ratio[path]), u)
     b, c = float(teeth.b[mesh]), float(teeth.c[mesh])
     F = float(high.max())
     if F >= whip and F > 0:

@@ -5,6 +5,7 @@
 parts of itself, with all that is behind it, in the backlash of its whole path.  How a flight goes stands in
 `flight.py`."""
 
+from collections.abc import Sequence
 from dataclasses import fields
 from functools import cached_property
 from typing import Any
@@ -232,16 +233,16 @@ def _flown(
     All fly in metres of the first driver, so that they share its motion; with gravity each has its own."""
     epsilon, step = _nodes(motion, bodies), _step(motion, bodies)
     ratio, second = bodies.ratio[body], step / motion.omega[point]
-    x, v, a = (motion.over(epsilon, n) for n in (2, 1, 0))
+    jerk, a, v, x = (motion.over(epsilon, n) for n in (-1, 0, 1, 2))
     seconds, row = step / motion.omega[:, None], point
     if bodies.gravity is not None:
-        x, v, a = (
+        jerk, a, v, x = (
             f[point] - _gravity(motion, bodies, of.mass, epsilon, n)[point, body] / ratio[:, None]
-            for n, f in ((2, x), (1, v), (0, a))
+            for n, f in ((-1, jerk), (0, a), (1, v), (2, x))
         )
         seconds, row = second[:, None], np.arange(point.size)
     g = of.drag[point, body] / (of.mass[body] * ratio)
-    flown = events(Wave(a * seconds**2, v * seconds, x), row, g * second**2, J / ratio)
+    flown = events(Wave(jerk * seconds**3, a * seconds**2, v * seconds, x), row, g * second**2, J / ratio)
     event, lane = np.arange(flown.at.shape[1]), np.arange(point.size)
     counts = (event >= flown.first[:, None]) & (event < flown.last[:, None])
     steps = flown.let_go[lane, flown.last] - flown.let_go[lane, flown.first]
@@ -266,26 +267,35 @@ def _swing(motion: Motion) -> Array:
 
 def quiet_backlash(motion: Motion, bodies: Bodies, body: int, u_limit: MetrePerSecond, point: int = 0) -> Metre | None:
     """The first backlash of a body's whole path, from 0 on, at which its own strikes reach a speed; along the line of
-    action, at its own mesh.  None: its flanks do not part of themselves, or its strikes never are so fast.
+    action, at its own mesh.  None: its mesh does not part of itself, or its strikes never are so fast."""
+    return quiet_backlashes(motion, bodies, body, (u_limit,), point)[0]
 
-    Each pass takes the first of 48 sections at whose end the limit is reached; to 1e-6."""
+
+def quiet_backlashes(
+    motion: Motion, bodies: Bodies, body: int, u_limits: Sequence[MetrePerSecond], point: int = 0
+) -> tuple[Metre | None, ...]:
+    """The same for several speeds at once.
+
+    The first of 48 sections at whose end a limit is reached, then of that one again; to 3e-6.  The speed does not rise
+    with the backlash everywhere, so that a bisection from both ends could find a later one."""
     motion, bodies = motion.at([point]), bodies.at([point])
     of = closed(motion, bodies)
     if not of.parts[0, body]:
-        return None
-    x = float(_swing(motion)[0] * bodies.ratio[body])
-    points, them = np.zeros(SECTIONS, int), np.full(SECTIONS, body)
-    shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)
-    k = 0
+        return (None,) * len(u_limits)
+    limits = np.array(u_limits)
+    swing = float(_swing(motion)[0] * bodies.ratio[body])
+    lanes = np.zeros((limits.size, SECTIONS), int)
+    shares = np.broadcast_to(np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS), lanes.shape)
     for _ in range(NARROWER):
-        _, _, u, _ = _flown(motion, bodies, of, points, them, shares * x)
-        reached = u.max(-1) >= u_limit
-        if not reached.any():
-            return None
-        if not (k := int(np.argmax(reached))):
-            break
-        shares = np.linspace(shares[k - 1], shares[k], SECTIONS)
-    return float(shares[k] * x)
+        J = (shares * swing).ravel()
+        _, _, u, _ = _flown(motion, bodies, of, lanes.ravel(), np.full(J.size, body), J)
+        reached = u.max(-1).reshape(lanes.shape) >= limits[:, None]
+        k = np.argmax(reached, 1)
+        first, each = np.maximum(k - 1, 0), np.arange(limits.size)
+        found, shares = shares[each, k], np.linspace(shares[each, first], shares[each, k], SECTIONS, axis=1)
+        never = ~reached.any(1)
+        shares = np.where(never[:, None], MOST_SHARE, shares)
+    return tuple(None if none else float(share * swing) for share, none in zip(found, never))
 
 
 # --- one lane in detail
