@@ -271,9 +271,8 @@ class Cylinder:
         """t_0, twice the mean, and t_n (P, 1 + N) in N·m."""
         p_2 = keys.p_max * expansion_from(self.engine, self.e, self.given, keys.eps_p)
         p_max, p_in, p_ex, p_case, _ = keys.every
-        return np.asarray(
-            one_cylinder(basis=self.basis.parts(keys.eps_p), p_max=p_max, p_2=p_2, p_ex=p_ex, p_in=p_in, p_case=p_case)
-        )
+        parts = self.basis.parts(keys.eps_p)
+        return one_cylinder(basis=parts, p_max=p_max, p_2=p_2, p_ex=p_ex, p_in=p_in, p_case=p_case)
 
     def mean_pressures(self, eps_p: Array) -> tuple[Array, Array, Array]:
         """Indicated mean pressure by 1 Pa of the peak, of the intake with its compression, and of the exhaust."""

@@ -94,7 +94,7 @@ def amplitude(alpha_n: PhasorRadPerSecond2) -> RadPerSecond2:
 @formula("α̂_n", "kinematics: an irregularity of one order, ω·(1 + δ/2·sin nε)")
 def of_irregularity(delta: Number, n: Number, omega: RadPerSecond) -> RadPerSecond2:
     """>>> of_irregularity(delta=0.05, n=1.5, omega=94.25)
-    333.1147...
+    333.1148...
     """
     return delta / 2 * n * omega**2
 
