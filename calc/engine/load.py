@@ -267,19 +267,26 @@ class Cylinder:
     given: MixedCycle
     basis: Basis
 
+    def parts(self, eps_p: Array) -> ComplexArray:
+        """What 1 Pa does, of every operating point (P, 5, 1 + N)."""
+        engine = self.engine
+        return based_on(self.basis.parts(eps_p), engine.bore, engine.crank_radius, engine.rod_length, engine.gas)
+
     def harmonics(self, keys: GasKeys) -> ComplexArray:
         """t_0, twice the mean, and t_n (P, 1 + N) in N·m."""
         p_2 = keys.p_max * expansion_from(self.engine, self.e, self.given, keys.eps_p)
         p_max, p_in, p_ex, p_case, _ = keys.every
-        parts = self.basis.parts(keys.eps_p)
+        parts = self.parts(keys.eps_p)
         return one_cylinder(basis=parts, p_max=p_max, p_2=p_2, p_ex=p_ex, p_in=p_in, p_case=p_case)
 
     def mean_pressures(self, eps_p: Array) -> tuple[Array, Array, Array]:
         """Indicated mean pressure by 1 Pa of the peak, of the intake with its compression, and of the exhaust."""
-        parts = self.basis.parts(eps_p)[:, :, 0].real / 2
+        parts = self.parts(eps_p)
+        mean = parts[:, :, 0].real / 2
         by_torque = self.engine.strokes * math.pi * self.engine.cylinders / float(self.e.displacement)
-        k_max = parts[:, 0] + parts[:, 1] * expansion_from(self.engine, self.e, self.given, eps_p)
-        return k_max * by_torque, parts[:, 3] * by_torque, parts[:, 2] * by_torque
+        k_max = mean[:, 0] + mean[:, 1] * expansion_from(self.engine, self.e, self.given, eps_p)
+        by = (k_max * by_torque, mean[:, 3] * by_torque, mean[:, 2] * by_torque)
+        return based_on(by[0], parts), based_on(by[1], parts), based_on(by[2], parts)
 
     def mean_pressure(self, keys: GasKeys) -> Array:
         """Indicated, over the whole working cycle with its gas exchange, in Pa."""
@@ -297,18 +304,17 @@ def _keys(
         notes += (PART_LOAD,)
     at_full = full.at(n)
     if np.all(loads == 1.0):
-        return _linked(at_full, gas, rows), notes
+        return _linked(at_full, at_full, gas, rows), notes
     at_none, more = no_load(cylinder, gas, [row for row in rows if row.load == 0], full, n)
-    return _linked(at_none.towards(at_full, loads), gas, rows), notes + more
+    return _linked(at_none.towards(at_full, loads), at_none, gas, rows), notes + more
 
 
 PART_LOAD = Text("Rows of part load do not count here: the gas lies linearly between that of no load and of full load.")
 
 
-def _linked(keys: GasKeys, gas: GasInputs, rows: Sequence[GasRow]) -> GasKeys:
-    """They rest on all that is said of the gas."""
-    of = (gas.peak_pressure, gas.compression_ratio, *(value for row in rows for value in row.changes.values()))
-    return GasKeys(*(based_on(key, *of) for key in keys.every))
+def _linked(keys: GasKeys, at_none: GasKeys, gas: GasInputs, rows: Sequence[GasRow]) -> GasKeys:
+    """They rest on what is solved without load, and on all that is said of the gas."""
+    return GasKeys(*(based_on(key, none, gas, *rows) for key, none in zip(keys.every, at_none.every)))
 
 
 def _given(cylinder: Cylinder, gas: GasInputs, rows: Sequence[GasRow]) -> GasLine:
