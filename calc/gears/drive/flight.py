@@ -6,7 +6,8 @@ flank.  What presses, p = x'' + g, holds the body on the driving flank where it 
 is below.  A body lets go where p changes sign against its flank, flies with y'' = p, strikes the first flank that it
 reaches, and stays there where p presses it to it; else it lets go at once.
 
-Time is counted in steps between the nodes of the motion: speeds are in metres a step, accelerations in metres a step²."""
+Time is counted in steps between the nodes of the motion: speeds are in metres a step, accelerations in metres a
+step²."""
 
 from functools import cached_property
 
@@ -42,7 +43,8 @@ class Wave:
 def _period_from(twice: Array, row: IndexArray, start: IndexArray) -> Array:
     """(L, K): a period of a row from a node on, out of two periods (R, 2K)."""
     K = twice.shape[1] // 2
-    return twice.reshape(-1)[(row * 2 * K + start % K)[:, None] + np.arange(K)]
+    period: Array = twice.reshape(-1)[(row * 2 * K + start % K)[:, None] + np.arange(K)]
+    return period
 
 
 @record

@@ -19,16 +19,19 @@ from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonPerMetre, Number, Pascal
 from ...sheet.value import about, untraced
-from ..rating.dynamic import CLAUSE_9, LIGHT
+from ..rating import dynamic
 from .motion import Bodies, Motion
 from .strikes import RULE, Closed, Strikes
 
+LIGHT: NewtonPerMetre = dynamic.LIGHT  # below this line load teeth are softer
 PASSES = 10  # each takes the error to an eighth and less, from that of teeth that do not soften at a light load
 COUNTS_FROM = 0.05  # of the hardest strike of the orbit
 
 # --- formulas
 
-STIFFNESS = Text("{clause_9}: stiffness of the teeth in mesh, at a line load below 100 N/mm too", clause_9=CLAUSE_9)
+STIFFNESS = Text(
+    "{clause_9}: stiffness of the teeth in mesh, at a line load below 100 N/mm too", clause_9=dynamic.CLAUSE_9
+)
 
 
 @formula("k", STIFFNESS, unit="kN/mm", names={"c": "c_γα,100"})
@@ -180,8 +183,8 @@ def _forces(
 
 
 def _whip(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
-    """(P, B): one wheel against its neighbour, by the hardest strike of their branch.  None in a mesh of the first driver
-    that parts of itself: its driver is not thrown back."""
+    """(P, B): one wheel against its neighbour, by the hardest strike of their branch.  None in a mesh of the first
+    driver that parts of itself: its driver is not thrown back."""
     u = _hardest_of_branch(bodies, strikes)
     first = np.array(bodies.parent) < 0
     mu = np.where(first, bodies.mass, reduced_mass(bodies.mass, bodies.mass[list(bodies.parent)], bodies.rho))
@@ -192,7 +195,8 @@ def _hardest_of_branch(bodies: Bodies, strikes: Strikes) -> Array:
     """(P, B): at each mesh, of the strikes of all bodies that hang on the same mesh of the first driver."""
     root = np.argmax(bodies.before, 0)  # parents stand before children
     alike = root[:, None] == root
-    return np.where(alike, (strikes.hardest / bodies.ratio)[:, None], 0.0).max(2) * bodies.ratio
+    hardest: Array = np.where(alike, (strikes.hardest / bodies.ratio)[:, None], 0.0).max(2) * bodies.ratio
+    return hardest
 
 
 # --- the forces of one mesh, line by line

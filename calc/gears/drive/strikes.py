@@ -67,11 +67,13 @@ def most_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
     return D + M * a
 
 
-@formula("W", Text("{rule}: kinetic energy that the strikes of an orbit take", rule=RULE), names={"M": "M_c", "T": "T_o"})
+@formula(
+    "W", Text("{rule}: kinetic energy that the strikes of an orbit take", rule=RULE), names={"M": "M_c", "T": "T_o"}
+)
 def impact_power(M: Kilogram, u: MetrePerSecond, T: Second) -> Watt:
     """`u`: the speeds of all strikes of an orbit, T its length.
 
-    >>> float(impact_power(M=10.0, u=np.array([0.05, 0.03]), T=0.04))
+    >>> round(impact_power(M=10.0, u=np.array([0.05, 0.03]), T=0.04), 6)
     0.425"""
     return M * along(u**2) / (2 * T)
 
@@ -175,7 +177,8 @@ class Strikes:
     @cached_property
     def hardest(self) -> Array:
         """(P, B) of its own strikes, m/s."""
-        return self.speed.max(-1, initial=0.0)
+        of: Array = self.speed.max(-1, initial=0.0)
+        return of
 
 
 def fly(motion: Motion, bodies: Bodies, of: Closed) -> Strikes:
@@ -289,8 +292,8 @@ def quiet_backlashes(
 
 
 def course(motion: Motion, bodies: Bodies, point: int, body: int) -> tuple[Array, Array, Array]:
-    """ε of the crank over a working cycle (K,), there y of a body between its flanks, 0 … −J in m (K,), and the force in
-    its mesh without the peaks of the strikes, in N (K,): on the coast flank it is below 0, in flight 0.
+    """ε of the crank over a working cycle (K,), there y of a body between its flanks, 0 … −J in m (K,), and the force
+    in its mesh without the peaks of the strikes, in N (K,): on the coast flank it is below 0, in flight 0.
 
     A body that does not fly of itself stays on its driving flank.  An orbit that does not fit into a working cycle is
     shown from the letting-go with which it begins."""
