@@ -17,7 +17,18 @@ from ...sheet.formula import formula
 from ...sheet.functions import along, modulus, power, smallest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonPerMetre, Number, Pascal
+from ...sheet.units import (
+    Kilogram,
+    Metre,
+    MetrePerSecond,
+    MetrePerSecond2,
+    Newton,
+    NewtonPerMetre,
+    NewtonsPerMetre,
+    Number,
+    Numbers,
+    Pascal,
+)
 from ...sheet.value import about, untraced
 from ..rating import dynamic
 from .motion import Bodies, Motion
@@ -44,7 +55,7 @@ def stiffness_at(F: Newton, b: Metre, c: Pascal) -> NewtonPerMetre:
 
 
 @formula("k_low", Text("{rule}: the teeth of all meshes of the path in series", rule=RULE), unit="kN/mm")
-def path_stiffness(k: NewtonPerMetre, rho: Number) -> NewtonPerMetre:
+def path_stiffness(k: NewtonsPerMetre, rho: Numbers) -> NewtonPerMetre:
     """`k` of each mesh of the path, `rho` the factor of speed from it to the last.
 
     >>> float(path_stiffness(k=np.array([2e8, 2e8]), rho=np.array([1.0, 1.0])))
@@ -155,8 +166,7 @@ def _low(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
     rho = np.where(teeth.there[:, None], bodies.lever, 0.0).T  # (on, mesh): what is not on the path gives nothing
 
     def series(F: Array, on: IndexArray) -> Array:
-        k: Array = path_stiffness(stiffness_at(F[:, None], teeth.b, teeth.c), rho[on])
-        return k
+        return np.asarray(path_stiffness(stiffness_at(F[:, None], teeth.b, teeth.c), rho[on]))
 
     M = np.broadcast_to(of.mass[:, None], bodies.before.shape)
     return _forces(bodies, strikes, bodies.before.T, M, series)

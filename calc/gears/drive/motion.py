@@ -40,8 +40,7 @@ class Motion:
         """Angles of the crank over a period, K of them, the end left out."""
         highest = round(float(self.orders[-1]) * period / (2 * math.pi))
         count = max(FEWEST_NODES, NODES_A_WAVE * highest)
-        angles: Array = np.arange(count) * (period / count)
-        return angles
+        return np.arange(count, dtype=np.float64) * (period / count)
 
     def over(self, epsilon: Array, integrals: int = 0) -> Array:
         """x₀'' at angles of the crank (P, K); integrated once, v, or twice, x, over time, each about its own

@@ -274,12 +274,12 @@ def quiet_backlashes(
         return (None,) * len(u_limits)
     limits = np.array(u_limits)
     swing = float(_swing(motion)[0] * bodies.ratio[body])
-    lanes = np.zeros((limits.size, SECTIONS), int)
-    shares = np.broadcast_to(np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS), lanes.shape)
+    shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)[None]  # (1, sections), then of each limit its own
     for _ in range(NARROWER):
         J = (shares * swing).ravel()
-        _, _, u, _ = _flown(motion, bodies, of, lanes.ravel(), np.full(J.size, body), J)
-        reached = u.max(-1).reshape(lanes.shape) >= limits[:, None]
+        _, _, u, _ = _flown(motion, bodies, of, np.zeros(J.size, int), np.full(J.size, body), J)
+        reached = u.max(-1).reshape(shares.shape) >= limits[:, None]
+        shares = np.broadcast_to(shares, reached.shape)
         k = np.argmax(reached, 1)
         first, each = np.maximum(k - 1, 0), np.arange(limits.size)
         found, shares = shares[each, k], np.linspace(shares[each, first], shares[each, k], SECTIONS, axis=1)
