@@ -170,9 +170,11 @@ class Cubic:
 
     def crossing(self, level: Array | float, side: IndexArray, low: Array) -> Array:
         """Where it is first beyond a level, above (side 1) or below (−1), from `low` on to the second node."""
-        high = np.ones(low.shape)
+        c_0, c_1, c_2, c_3 = self.c
+        beyond = Cubic((side * (c_0 - level), side * c_1, side * c_2, side * c_3))
+        step = 1.0 - low
         for _ in range(HALVINGS):
-            middle = 0.5 * (low + high)
-            beyond = side * (self.at(middle) - level) > 0
-            low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-        return high
+            step = 0.5 * step
+            middle = low + step
+            low = np.where(beyond.at(middle) > 0, low, middle)
+        return low + step

@@ -138,7 +138,7 @@ def impacts(motion: Motion, bodies: Bodies, of: Closed, strikes: Strikes, factor
 
 
 @record
-class Teeth:
+class ToothStiffness:
     """Of each mesh; a chain has none, and numbers that disturb nothing."""
 
     there: BoolArray  # (B,)
@@ -146,13 +146,13 @@ class Teeth:
     c: Array  # (B,) c_γα,100 in Pa
 
 
-def _teeth(bodies: Bodies, factor: Array | None) -> Teeth:
+def _teeth(bodies: Bodies, factor: Array | None) -> ToothStiffness:
     there = np.array(bodies.toothed)
     c = bodies.stiffness if factor is None else bodies.stiffness * factor
-    return Teeth(there, np.where(there, bodies.width, 1.0), np.where(there, c, 1.0))
+    return ToothStiffness(there, np.where(there, bodies.width, 1.0), np.where(there, c, 1.0))
 
 
-def _high(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
+def _high(bodies: Bodies, of: Closed, strikes: Strikes, teeth: ToothStiffness) -> Array:
     """(P, i, by, E) through the teeth of mesh i: the strikes of each body on its path or behind it, on the mass that is
     behind the farther one of both."""
     farther = np.where(bodies.before, of.mass * bodies.lever**2, of.mass[:, None])
@@ -160,7 +160,7 @@ def _high(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
     return _forces(bodies, strikes, pairs, farther, lambda F, i: stiffness_at(F, teeth.b[i], teeth.c[i]))
 
 
-def _low(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
+def _low(bodies: Bodies, of: Closed, strikes: Strikes, teeth: ToothStiffness) -> Array:
     """(P, on, by, E) through the teeth of the path to a body: the strikes of each body on it, on all that is behind.
     Every mesh of the path is as stiff as it is at the force in the last one."""
     rho = np.where(teeth.there[:, None], bodies.lever, 0.0).T  # (on, mesh): what is not on the path gives nothing
@@ -192,7 +192,7 @@ def _forces(
     return forces
 
 
-def _whip(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
+def _whip(bodies: Bodies, of: Closed, strikes: Strikes, teeth: ToothStiffness) -> Array:
     """(P, B): one wheel against its neighbour, by the hardest strike of their branch.  None in a mesh of the first
     driver that parts of itself: its driver is not thrown back."""
     u = _hardest_of_branch(bodies, strikes)

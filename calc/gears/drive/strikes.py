@@ -34,7 +34,7 @@ from .flight import Events, Wave, events
 from .motion import Bodies, Motion, peak
 
 RULE = Text("rule of this program, flanks that strike without rebound")
-FLANKS_PART = "dynamics: a body that is driven by one flank alone"
+ONE_FLANK = Text("dynamics: a body that is driven by one flank alone")
 
 # backlash at which a limit of the strike speed is reached: over half the swing of the first driver
 LEAST_SHARE, MOST_SHARE = 1e-4, 20.0
@@ -43,7 +43,11 @@ SECTIONS, NARROWER = 48, 4
 # --- formulas
 
 
-@formula("Γ", f"{FLANKS_PART}: inertia over drag; flanks part above 1", names={"M": "M_c", "D": "D_c", "a": "a_down"})
+@formula(
+    "Γ",
+    Text("{one_flank}: inertia over drag; flanks part above 1", one_flank=ONE_FLANK),
+    names={"M": "M_c", "D": "D_c", "a": "a_down"},
+)
 def separation(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Number:
     """`a`: the largest −x₀'' at the mesh.
 
@@ -52,7 +56,11 @@ def separation(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Number:
     return M * a / D
 
 
-@formula("F_least", f"{FLANKS_PART}: along the line of action", names={"M": "M_c", "D": "D_c", "a": "a_down"})
+@formula(
+    "F_least",
+    Text("{one_flank}: force along the line of action", one_flank=ONE_FLANK),
+    names={"M": "M_c", "D": "D_c", "a": "a_down"},
+)
 def least_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
     """`a`: the largest −x₀'' at the mesh.
 
@@ -61,7 +69,11 @@ def least_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
     return D - M * a
 
 
-@formula("F_most", f"{FLANKS_PART}: along the line of action", names={"M": "M_c", "D": "D_c", "a": "a_up"})
+@formula(
+    "F_most",
+    Text("{one_flank}: force along the line of action", one_flank=ONE_FLANK),
+    names={"M": "M_c", "D": "D_c", "a": "a_up"},
+)
 def most_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
     """`a`: the largest x₀'' at the mesh."""
     return D + M * a

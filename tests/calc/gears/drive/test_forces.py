@@ -17,7 +17,16 @@ from calc.gears.drive.forces import (
     strike_force,
     whip_force,
 )
-from calc.gears.drive.strikes import closed, fly, impact_power, least_force, quiet_backlash, separation, speed_by_jerk
+from calc.gears.drive.strikes import (
+    closed,
+    fly,
+    impact_power,
+    least_force,
+    quiet_backlash,
+    quiet_backlashes,
+    separation,
+    speed_by_jerk,
+)
 from calc.sheet.value import link_of, trace
 from tests.calc.gears.drive.lanes import given_of, golden, lane, motion, train
 from tests.calc.gears.drive.test_strikes import random_lanes
@@ -106,6 +115,30 @@ def test_given_value_of_the_quiet_backlash():
     m, bodies = lane(given_of(g["see"]))
     J = quiet_backlash(m, bodies, 2, g["limit_mm_s"] * 1e-3)
     assert J * 1e6 == pytest.approx(row["is"], rel=row["rel"])
+
+
+@pytest.mark.parametrize(
+    "mass, drag, j, Gamma, low, high",
+    [
+        ([4 / 3, 4 / 3], [0.5, 16], [70, 70], [2.0, 1.05], [907, 413], [907, 864]),
+        ([3, 1.3, 0.4], [3, 3, 1], [50, 70, 90], None, [961, 666, 332], [976, 1996, 1153]),
+    ],
+)
+def test_given_trains_on_the_motion_of_the_inline_4(mass, drag, j, Gamma, low, high):
+    """Printed to 1 N beside a chain of elastic teeth, which is not at hand."""
+    m, _ = lane(given_of("inline 4, two shafts at 2x in a chain, idle"))
+    n = len(mass)
+    of, _, found = solved(m, train((-1, 0, 1)[:n], mass, [drag], np.array(j) * 1e-6, stiffness=np.full(n, 16.7e9)))
+    assert found.low[0] == pytest.approx(low, rel=3e-3) and found.high[0] == pytest.approx(high, rel=3e-3)
+    if Gamma:
+        assert of.separation[0] == pytest.approx(Gamma, abs=0.05)
+
+
+def test_both_grades_of_the_quiet_backlash():
+    m, bodies = lane(given_of("R753 idle"))
+    found = quiet_backlashes(m, bodies, 2, (35e-3, 70e-3))
+    assert np.array(found) * 1e6 == pytest.approx([47.5, 198.0], abs=0.5)
+    assert found[0] == pytest.approx(quiet_backlash(m, bodies, 2, 35e-3), rel=1e-12)
 
 
 # --- laws of the force
