@@ -147,8 +147,12 @@ def closed(motion: Motion, bodies: Bodies) -> Closed:
 
 
 def _nodes(motion: Motion, bodies: Bodies) -> Array:
-    """Of the motion's period, or with gravity of the whole working cycle."""
-    return motion.nodes(motion.period if bodies.gravity is None else motion.cycle)
+    """Of the period of the motion, with gravity of that of both: a shaft at an order of the firing keeps it short, so
+    that its orbit closes soon; else it is the whole working cycle."""
+    if bodies.gravity is None or bodies.gravity_order is None:
+        return motion.nodes(motion.period)
+    orders, a = np.append(motion.orders, bodies.gravity_order), np.append(motion.a, bodies.gravity, 1)
+    return motion.nodes(Motion(orders[orders > 0], a[:, orders > 0], motion.omega, motion.cycle).period)
 
 
 def _gravity(motion: Motion, bodies: Bodies, M: Array, epsilon: Array, integrals: int) -> Array:
@@ -156,8 +160,8 @@ def _gravity(motion: Motion, bodies: Bodies, M: Array, epsilon: Array, integrals
     assert bodies.gravity is not None and bodies.gravity_order is not None
     there = bodies.gravity_order > 0
     behind = (bodies.lever / M[:, None])[:, there]
-    a = (bodies.gravity[:, None, there] * behind).reshape(-1, behind.shape[1])
     omega = np.repeat(motion.omega, behind.shape[0])
+    a = (bodies.gravity[:, None, there] * behind).reshape(omega.size, behind.shape[1])
     of = Motion(bodies.gravity_order[there], a, omega, motion.cycle).over(epsilon, integrals)
     return of.reshape(motion.omega.size, behind.shape[0], -1)
 
@@ -210,9 +214,10 @@ def fly(motion: Motion, bodies: Bodies, of: Closed) -> Strikes:
         every[point, body] = lanes
         return every
 
+    swing = _swing(motion)[:, None] * bodies.ratio
     return Strikes(
         backlash=J,
-        share=J / (_swing(motion)[:, None] * bodies.ratio),
+        share=np.divide(J, swing, out=np.zeros((P, B)), where=swing > 0),
         let_go=spread(flown.let_go * step, np.nan),
         left=spread(flown.left),
         struck=spread(flown.at * step, np.nan),
@@ -282,10 +287,9 @@ def quiet_backlashes(
     with the backlash everywhere, so that a bisection from both ends could find a later one."""
     motion, bodies = motion.at([point]), bodies.at([point])
     of = closed(motion, bodies)
-    if not of.parts[0, body]:
-        return (None,) * len(u_limits)
-    limits = np.array(u_limits)
-    swing = float(_swing(motion)[0] * bodies.ratio[body])
+    limits, swing = np.array(u_limits), float(_swing(motion)[0] * bodies.ratio[body])
+    if not of.parts[0, body] or not swing:
+        return (None,) * limits.size
     shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)[None]  # (1, sections), then of each limit its own
     for _ in range(NARROWER):
         J = (shares * swing).ravel()

@@ -211,6 +211,53 @@ def test_branches_do_not_strike_each_other():
     assert found.high[0, 0] > 0 and not found.high[0, 1] and not found.speed[0, 1]
 
 
+def test_low_high_and_speed_as_they_are_defined():
+    """Of a tree with other radii, body by body and strike by strike."""
+    rng = np.random.default_rng(8)
+    parent, rho = (-1, 0, 0, 2, -1), np.array([1.0, 1.3, 0.7, 1.2, 0.9])
+    points = 6
+    m = motion(rng.normal(size=(points, 3)) * [9, 5, 2], [2.0, 4.0, 6.0], rng.uniform(80, 200, points))
+    drag, mass = rng.uniform(0.1, 8, (points, 5)), rng.uniform(0.3, 4, 5)
+    b, c = rng.uniform(8e-3, 20e-3, 5), rng.uniform(12e9, 18e9, 5)
+    bodies = train(parent, mass, drag, rng.uniform(30e-6, 120e-6, 5), rho=rho, width=b, stiffness=c)
+    of, strikes, found = solved(m, bodies)
+    path = [[i] if up < 0 else [] for i, up in enumerate(parent)]
+    for i, up in enumerate(parent):
+        path[i] = [*path[up], i] if up >= 0 else path[i]
+    R = [math.prod(rho[n] for n in path[d]) for d in range(5)]
+    for point in range(points):
+        hits = [  # on each body, at its own mesh
+            [
+                (u * R[d] / R[a], p * R[d] / R[a])
+                for a in path[d]
+                for u, p in zip(strikes.speed[point, a].tolist(), strikes.press[point, a].tolist())
+                if u
+            ]
+            for d in range(5)
+        ]
+        for i in range(5):
+            low = high = speed = 0.0
+            for d in range(5):
+                lever = R[d] / R[i]
+                for u, p in hits[d] if i in path[d] else ():
+                    F = alone = 1000.0
+                    for _ in range(40):
+                        k = 1 / sum((R[d] / R[n]) ** 2 / stiffness_at(F, b[n], c[n]) for n in path[d])
+                        F = strike_force(of.mass[d], p, k, u)
+                        k = stiffness_at(alone * lever, b[i], c[i]) / lever**2
+                        alone = strike_force(of.mass[d], p, k, u)
+                    low, high, speed = max(low, F * lever), max(high, alone * lever), max(speed, u)
+            branch = [d for d in range(5) if path[d][0] == path[i][0]]
+            u_b = max(strikes.hardest[point, d] / R[d] for d in branch) * R[i]
+            if parent[i] >= 0 or not of.parts[point, i]:
+                mu = 1 / (1 / mass[i] + (rho[i] ** 2 / mass[parent[i]] if parent[i] >= 0 else 0.0))
+                high = max(high, whip_force(mu, float(u_b), b[i], c[i]))
+            assert found.low[point, i] == pytest.approx(low, rel=1e-7)
+            assert found.high[point, i] == pytest.approx(high, rel=1e-7)
+            assert found.speed[point, i] == pytest.approx(speed, rel=1e-12)
+            assert forces_of(bodies, of, strikes, i, point) == pytest.approx((low, high), rel=1e-7)
+
+
 def test_strikes_of_a_working_cycle_are_counted():
     """Two a period of order 2: 8 in a four-stroke cycle; one-sided where the backlash is out of reach: 4."""
     m = motion([[10.0], [10.0]])

@@ -252,6 +252,43 @@ def test_gravity_turns_a_shaft_as_motion_of_its_order_would():
     assert course(m, under, 0, 0)[1] == pytest.approx(course(less, plain, 0, 0)[1], abs=1e-12)
 
 
+def test_gravity_of_the_firing_order_keeps_the_orbit_short():
+    """An inline-4 with shafts at twice its speed: one strike on each flank a firing, as without gravity."""
+    plain = train(mass=[1.2], drag=[[4.0]], backlash=[90e-6])
+    under = replace(plain, gravity=np.array([[3.0 + 0j]]), gravity_order=np.array([2.0]))
+    m = motion([[12.0, 3j]], [2.0, 4.0])
+    less = motion([[12.0 - 3.0 / 1.2, 3j]], [2.0, 4.0])
+    _, strikes = flown(m, under)
+    assert strikes.closes.all() and strikes.orbit[0, 0] == pytest.approx(math.pi / 80.0)
+    assert strikes.speed == pytest.approx(flown(less, plain)[1].speed, rel=1e-9)
+    by_once = replace(under, gravity_order=np.array([1.0]))
+    assert flown(m, by_once)[1].orbit[0, 0] == pytest.approx(2 * math.pi / 80.0)
+
+
+def test_no_motion_and_no_flight():
+    """An even crank; gravity alone parts the flanks where it is more than the drag, without a warning."""
+    still, plain = motion([[0.0], [0.0]]), train(drag=[[1.0], [4.0]])
+    under = replace(plain, gravity=np.array([[2.0 + 0j], [2.0]]), gravity_order=np.array([1.0]))
+    for bodies, parts in ((plain, [False, False]), (under, [True, False])):
+        of, strikes = flown(still, bodies)
+        assert of.parts[:, 0].tolist() == parts and (strikes.hardest[:, 0] > 0).tolist() == parts
+        assert not of.separation.any() and not strikes.share.any()
+        found = impacts(still, bodies, of, strikes)
+        assert (found.high[:, 0] > 0).tolist() == parts
+        assert quiet_backlash(still, bodies, 0, 35e-3) is None
+    weightless = replace(plain, gravity=np.zeros((2, 1), complex), gravity_order=np.array([0.0]))
+    m = motion([[12.0], [9.0]])
+    assert flown(m, weightless)[1].speed == pytest.approx(flown(m, plain)[1].speed, rel=1e-6, abs=1e-12)
+
+
+def test_some_of_the_points():
+    m, bodies = random_lanes(9)
+    of, strikes = flown(m, bodies)
+    of_2, strikes_2 = flown(m.at([4, 2]), bodies.at([4, 2]))
+    assert (of_2.least == of.at([4, 2]).least).all()
+    assert strikes_2.hardest == pytest.approx(strikes.at([4, 2]).hardest, rel=1e-12)
+
+
 # --- the backlash that is still quiet, one lane in detail
 
 
