@@ -268,6 +268,16 @@ def test_strikes_of_a_working_cycle_are_counted():
     assert half.impacts[:, 0] == pytest.approx([4.0, 2.0])
 
 
+def test_weak_strikes_are_not_counted():
+    """Below 5 % of the hardest of the orbit; those between 5 and 50 % count."""
+    m, bodies = random_lanes(60)
+    _, strikes, found = solved(m, bodies)
+    share = strikes.speed[:, 0] / strikes.hardest
+    cycles = m.cycle / m.omega / strikes.orbit[:, 0]
+    assert found.impacts[:, 0] == pytest.approx((share > 0.05).sum(1) * cycles, rel=1e-12)
+    assert ((share > 0) & (share < 0.05)).any() and ((share > 0.05) & (share < 0.5)).any()
+
+
 def test_forces_of_one_mesh_by_the_formulas():
     """The lines give what all at once gave, and stand on formulas with a source."""
     trains = [lane(given_of(case)) for case in ("R753 idle", "two wheels of other radius on the first shaft")]

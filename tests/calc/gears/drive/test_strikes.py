@@ -61,40 +61,43 @@ def test_solver_from_flank_to_flank_without_drag(e):
 # --- the vectorised form against it
 
 
-def random_lanes(count, seed=3):
-    """Motions of 8 harmonics, Γ 1.1 … 12, a backlash of 0.05 … 2 half swings."""
+def random_lanes(count, seed=3, shares=(0.05, 2)):
+    """Motions of 8 harmonics, Γ 1.1 … 12, a backlash of so many half swings."""
     rng = np.random.default_rng(seed)
     orders = 1.5 * np.arange(1, 9)
     a = (rng.normal(size=(count, 8)) + 1j * rng.normal(size=(count, 8))) / np.arange(1, 9) ** 1.2 * 8
     m = motion(a, orders, rng.uniform(80, 280, count))
     epsilon = m.nodes(m.period)
     x = m.over(epsilon, 2)
-    J = np.exp(rng.uniform(math.log(0.05), math.log(2), count)) * (peak(x) + peak(-x)) / 2
+    J = np.exp(rng.uniform(*np.log(shares), count)) * (peak(x) + peak(-x)) / 2
     g = peak(-m.over(epsilon)) / np.exp(rng.uniform(math.log(1.1), math.log(12), count))
     mass = 2.0
     return m, train(mass=[mass], drag=mass * g[:, None], backlash=J[:, None])
 
 
-def test_as_event_by_event():
-    m, bodies = random_lanes(108)
+@pytest.mark.parametrize("count, seed, shares, enough", [(108, 3, (0.05, 2), 100), (40, 4, (1, 4), 30)])
+def test_as_event_by_event(count, seed, shares, enough):
+    """Speeds to 1e-4 of the hardest strike; the second lanes have so much backlash that many strikes fall where the
+    flank pulls away and let go at once."""
+    m, bodies = random_lanes(count, seed, shares)
     of, strikes = flown(m, bodies)
     assert of.parts.all()
-    compared = 0
-    for i in range(108):
-        w = m.orders * m.omega[i]
-        driver = solver.Driver(w, m.a[i], m.period / m.omega[i])
-        found, length, before = solver.orbit(driver, float(bodies.drag[i, 0] / 2.0), float(bodies.backlash[i, 0]))
+    compared = at_once = 0
+    for i in range(count):
+        driver = solver.Driver(m.orders * m.omega[i], m.a[i], m.period / m.omega[i])
+        found, length, before = solver.orbit(driver, float(bodies.drag[i, 0] / 2.0), float(bodies.backlash[i, 0]), 9)
         if before is None or before + len(found) > 8:
             continue
         compared += 1
+        at_once += any(strike.press * strike.flank < 0 for strike in found)
         u = strikes.speed[i, 0][strikes.speed[i, 0] > 0]
-        wanted = np.array([abs(s.speed) for s in found])
+        wanted = np.array([abs(strike.speed) for strike in found])
         assert strikes.closes[i, 0] and len(u) == len(wanted)
         assert u == pytest.approx(wanted, abs=1e-4 * wanted.max()), i
         assert strikes.orbit[i, 0] == pytest.approx(length, rel=1e-6)
         first = int(strikes.first[i, 0])
-        assert list(strikes.flank[i, 0, first : first + len(found)]) == [s.flank for s in found]
-    assert compared >= 100
+        assert list(strikes.flank[i, 0, first : first + len(found)]) == [strike.flank for strike in found]
+    assert compared >= enough and (seed == 3 or at_once >= 5)
 
 
 def test_what_the_flanks_do_is_what_the_strikes_lose():
