@@ -29,6 +29,7 @@ MEASURED: dict[str, tuple[str, ...]] = {
     "selection": (),
     "gears": (),
     "friction": (),
+    "drive": (),
     "mounting": (),
     "shafts": (),
     "links": (),

@@ -6,7 +6,8 @@ flank.  What presses, p = x'' + g, holds the body on the driving flank where it 
 is below.  A body lets go where p changes sign against its flank, flies with y'' = p, strikes the first flank that it
 reaches, and stays there where p presses it to it; else it lets go at once.
 
-Time is counted in steps between the nodes of the motion: speeds are in metres a step, accelerations in metres a step²."""
+Time is counted in steps between the nodes of the motion: speeds are in metres a step, accelerations in metres a
+step²."""
 
 from functools import cached_property
 
@@ -42,7 +43,8 @@ class Wave:
 def _period_from(twice: Array, row: IndexArray, start: IndexArray) -> Array:
     """(L, K): a period of a row from a node on, out of two periods (R, 2K)."""
     K = twice.shape[1] // 2
-    return twice.reshape(-1)[(row * 2 * K + start % K)[:, None] + np.arange(K)]
+    period: Array = twice.reshape(-1)[(row * 2 * K + start % K)[:, None] + np.arange(K)]
+    return period
 
 
 @record
@@ -168,9 +170,11 @@ class Cubic:
 
     def crossing(self, level: Array | float, side: IndexArray, low: Array) -> Array:
         """Where it is first beyond a level, above (side 1) or below (−1), from `low` on to the second node."""
-        high = np.ones(low.shape)
+        c_0, c_1, c_2, c_3 = self.c
+        beyond = Cubic((side * (c_0 - level), side * c_1, side * c_2, side * c_3))
+        step = 1.0 - low
         for _ in range(HALVINGS):
-            middle = 0.5 * (low + high)
-            beyond = side * (self.at(middle) - level) > 0
-            low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-        return high
+            step = 0.5 * step
+            middle = low + step
+            low = np.where(beyond.at(middle) > 0, low, middle)
+        return low + step

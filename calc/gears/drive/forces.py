@@ -17,18 +17,32 @@ from ...sheet.formula import formula
 from ...sheet.functions import along, modulus, power, smallest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonPerMetre, Number, Pascal
+from ...sheet.units import (
+    Kilogram,
+    Metre,
+    MetrePerSecond,
+    MetrePerSecond2,
+    Newton,
+    NewtonPerMetre,
+    NewtonsPerMetre,
+    Number,
+    Numbers,
+    Pascal,
+)
 from ...sheet.value import about, based_on, untraced
-from ..rating.dynamic import CLAUSE_9, LIGHT
+from ..rating import dynamic
 from .motion import Bodies, Motion
 from .strikes import RULE, Closed, Strikes
 
+LIGHT: NewtonPerMetre = dynamic.LIGHT  # below this line load teeth are softer
 PASSES = 10  # each takes the error to an eighth and less, from that of teeth that do not soften at a light load
 COUNTS_FROM = 0.05  # of the hardest strike of the orbit
 
 # --- formulas
 
-STIFFNESS = Text("{clause_9}: stiffness of the teeth in mesh, at a line load below 100 N/mm too", clause_9=CLAUSE_9)
+STIFFNESS = Text(
+    "{clause_9}: stiffness of the teeth in mesh, at a line load below 100 N/mm too", clause_9=dynamic.CLAUSE_9
+)
 
 
 @formula("k", STIFFNESS, unit="kN/mm", names={"c": "c_γα,100"})
@@ -41,7 +55,7 @@ def stiffness_at(F: Newton, b: Metre, c: Pascal) -> NewtonPerMetre:
 
 
 @formula("k_low", Text("{rule}: the teeth of all meshes of the path in series", rule=RULE), unit="kN/mm")
-def path_stiffness(k: NewtonPerMetre, rho: Number) -> NewtonPerMetre:
+def path_stiffness(k: NewtonsPerMetre, rho: Numbers) -> NewtonPerMetre:
     """`k` of each mesh of the path, `rho` the factor of speed from it to the last.
 
     >>> float(path_stiffness(k=np.array([2e8, 2e8]), rho=np.array([1.0, 1.0])))
@@ -124,7 +138,7 @@ def impacts(motion: Motion, bodies: Bodies, of: Closed, strikes: Strikes, factor
 
 
 @record
-class Teeth:
+class ToothStiffness:
     """Of each mesh; a chain has none, and numbers that disturb nothing."""
 
     there: BoolArray  # (B,)
@@ -132,13 +146,13 @@ class Teeth:
     c: Array  # (B,) c_γα,100 in Pa
 
 
-def _teeth(bodies: Bodies, factor: Array | None) -> Teeth:
+def _teeth(bodies: Bodies, factor: Array | None) -> ToothStiffness:
     there = np.array(bodies.toothed)
     c = bodies.stiffness if factor is None else bodies.stiffness * factor
-    return Teeth(there, np.where(there, bodies.width, 1.0), np.where(there, c, 1.0))
+    return ToothStiffness(there, np.where(there, bodies.width, 1.0), np.where(there, c, 1.0))
 
 
-def _high(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
+def _high(bodies: Bodies, of: Closed, strikes: Strikes, teeth: ToothStiffness) -> Array:
     """(P, i, by, E) through the teeth of mesh i: the strikes of each body on its path or behind it, on the mass that is
     behind the farther one of both."""
     farther = np.where(bodies.before, of.mass * bodies.lever**2, of.mass[:, None])
@@ -146,14 +160,13 @@ def _high(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
     return _forces(bodies, strikes, pairs, farther, lambda F, i: stiffness_at(F, teeth.b[i], teeth.c[i]))
 
 
-def _low(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
+def _low(bodies: Bodies, of: Closed, strikes: Strikes, teeth: ToothStiffness) -> Array:
     """(P, on, by, E) through the teeth of the path to a body: the strikes of each body on it, on all that is behind.
     Every mesh of the path is as stiff as it is at the force in the last one."""
     rho = np.where(teeth.there[:, None], bodies.lever, 0.0).T  # (on, mesh): what is not on the path gives nothing
 
     def series(F: Array, on: IndexArray) -> Array:
-        k: Array = path_stiffness(stiffness_at(F[:, None], teeth.b, teeth.c), rho[on])
-        return k
+        return np.asarray(path_stiffness(stiffness_at(F[:, None], teeth.b, teeth.c), rho[on]))
 
     M = np.broadcast_to(of.mass[:, None], bodies.before.shape)
     return _forces(bodies, strikes, bodies.before.T, M, series)
@@ -179,9 +192,9 @@ def _forces(
     return forces
 
 
-def _whip(bodies: Bodies, of: Closed, strikes: Strikes, teeth: Teeth) -> Array:
-    """(P, B): one wheel against its neighbour, by the hardest strike of their branch.  None in a mesh of the first driver
-    that parts of itself: its driver is not thrown back."""
+def _whip(bodies: Bodies, of: Closed, strikes: Strikes, teeth: ToothStiffness) -> Array:
+    """(P, B): one wheel against its neighbour, by the hardest strike of their branch.  None in a mesh of the first
+    driver that parts of itself: its driver is not thrown back."""
     u = _hardest_of_branch(bodies, strikes)
     first = np.array(bodies.parent) < 0
     mu = np.where(first, bodies.mass, reduced_mass(bodies.mass, bodies.mass[list(bodies.parent)], bodies.rho))
@@ -192,7 +205,8 @@ def _hardest_of_branch(bodies: Bodies, strikes: Strikes) -> Array:
     """(P, B): at each mesh, of the strikes of all bodies that hang on the same mesh of the first driver."""
     root = np.argmax(bodies.before, 0)  # parents stand before children
     alike = root[:, None] == root
-    return np.where(alike, (strikes.hardest / bodies.ratio)[:, None], 0.0).max(2) * bodies.ratio
+    hardest: Array = np.where(alike, (strikes.hardest / bodies.ratio)[:, None], 0.0).max(2) * bodies.ratio
+    return hardest
 
 
 # --- the forces of one mesh, line by line

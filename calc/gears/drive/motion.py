@@ -40,10 +40,11 @@ class Motion:
         """Angles of the crank over a period, K of them, the end left out."""
         highest = round(float(self.orders[-1]) * period / (2 * math.pi))
         count = max(FEWEST_NODES, NODES_A_WAVE * highest)
-        return np.arange(count) * (period / count)
+        return np.arange(count, dtype=np.float64) * (period / count)
 
     def over(self, epsilon: Array, integrals: int = 0) -> Array:
-        """x₀'' at angles of the crank (P, K); integrated once, v, or twice, x, over time, each about its own mean."""
+        """x₀'' at angles of the crank (P, K); integrated once, v, or twice, x, over time, each about its own
+        mean; −1: its rate, m/s³."""
         angles = self.orders[:, None] * epsilon
         a = self.a / (1j * self.orders * self.omega[:, None]) ** integrals
         # not by a product of matrices, whose library waits for threads that a busy machine does not give
@@ -103,7 +104,8 @@ class Bodies:
     @cached_property
     def ratio(self) -> Array:
         """(B,): x₀'' at the mesh of a body over that of the first driver, Πρ of its path."""
-        return np.prod(np.where(self.before, self.rho[:, None], 1.0), 0)
+        product: Array = np.prod(np.where(self.before, self.rho[:, None], 1.0), 0)
+        return product
 
     @cached_property
     def lever(self) -> Array:

@@ -34,7 +34,7 @@ from .flight import Events, Wave, events
 from .motion import Bodies, Motion, peak
 
 RULE = Text("rule of this program, flanks that strike without rebound")
-FLANKS_PART = "dynamics: a body that is driven by one flank alone"
+ONE_FLANK = Text("dynamics: a body that is driven by one flank alone")
 
 # backlash at which a limit of the strike speed is reached: over half the swing of the first driver
 LEAST_SHARE, MOST_SHARE = 1e-4, 20.0
@@ -43,7 +43,11 @@ SECTIONS, NARROWER = 48, 4
 # --- formulas
 
 
-@formula("Γ", f"{FLANKS_PART}: inertia over drag; flanks part above 1", names={"M": "M_c", "D": "D_c", "a": "a_down"})
+@formula(
+    "Γ",
+    Text("{one_flank}: inertia over drag; flanks part above 1", one_flank=ONE_FLANK),
+    names={"M": "M_c", "D": "D_c", "a": "a_down"},
+)
 def separation(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Number:
     """`a`: the largest −x₀'' at the mesh.
 
@@ -52,7 +56,11 @@ def separation(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Number:
     return M * a / D
 
 
-@formula("F_least", f"{FLANKS_PART}: along the line of action", names={"M": "M_c", "D": "D_c", "a": "a_down"})
+@formula(
+    "F_least",
+    Text("{one_flank}: force along the line of action", one_flank=ONE_FLANK),
+    names={"M": "M_c", "D": "D_c", "a": "a_down"},
+)
 def least_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
     """`a`: the largest −x₀'' at the mesh.
 
@@ -61,7 +69,11 @@ def least_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
     return D - M * a
 
 
-@formula("F_most", f"{FLANKS_PART}: along the line of action", names={"M": "M_c", "D": "D_c", "a": "a_up"})
+@formula(
+    "F_most",
+    Text("{one_flank}: force along the line of action", one_flank=ONE_FLANK),
+    names={"M": "M_c", "D": "D_c", "a": "a_up"},
+)
 def most_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
     """`a`: the largest x₀'' at the mesh."""
     return D + M * a
@@ -73,7 +85,7 @@ def most_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
 def impact_power(M: Kilogram, u: MetrePerSecond, T: Second) -> Watt:
     """`u`: the speeds of all strikes of an orbit, T its length.
 
-    >>> float(impact_power(M=10.0, u=np.array([0.05, 0.03]), T=0.04))
+    >>> round(impact_power(M=10.0, u=np.array([0.05, 0.03]), T=0.04), 6)
     0.425"""
     return M * along(u**2) / (2 * T)
 
@@ -146,8 +158,12 @@ def closed(motion: Motion, bodies: Bodies) -> Closed:
 
 
 def _nodes(motion: Motion, bodies: Bodies) -> Array:
-    """Of the motion's period, or with gravity of the whole working cycle."""
-    return motion.nodes(motion.period if bodies.gravity is None else motion.cycle)
+    """Of the period of the motion, with gravity of that of both: a shaft at an order of the firing keeps it short, so
+    that its orbit closes soon; else it is the whole working cycle."""
+    if bodies.gravity is None or bodies.gravity_order is None:
+        return motion.nodes(motion.period)
+    orders, a = np.append(motion.orders, bodies.gravity_order), np.append(motion.a, bodies.gravity, 1)
+    return motion.nodes(Motion(orders[orders > 0], a[:, orders > 0], motion.omega, motion.cycle).period)
 
 
 def _gravity(motion: Motion, bodies: Bodies, M: Array, epsilon: Array, integrals: int) -> Array:
@@ -155,8 +171,8 @@ def _gravity(motion: Motion, bodies: Bodies, M: Array, epsilon: Array, integrals
     assert bodies.gravity is not None and bodies.gravity_order is not None
     there = bodies.gravity_order > 0
     behind = (bodies.lever / M[:, None])[:, there]
-    a = (bodies.gravity[:, None, there] * behind).reshape(-1, behind.shape[1])
     omega = np.repeat(motion.omega, behind.shape[0])
+    a = (bodies.gravity[:, None, there] * behind).reshape(omega.size, behind.shape[1])
     of = Motion(bodies.gravity_order[there], a, omega, motion.cycle).over(epsilon, integrals)
     return of.reshape(motion.omega.size, behind.shape[0], -1)
 
@@ -188,7 +204,8 @@ class Strikes:
     @cached_property
     def hardest(self) -> Array:
         """(P, B) of its own strikes, m/s."""
-        return self.speed.max(-1, initial=0.0)
+        of: Array = self.speed.max(-1, initial=0.0)
+        return of
 
 
 def fly(motion: Motion, bodies: Bodies, of: Closed) -> Strikes:
@@ -208,9 +225,10 @@ def fly(motion: Motion, bodies: Bodies, of: Closed) -> Strikes:
         every[point, body] = lanes
         return every
 
+    swing = _swing(motion)[:, None] * bodies.ratio
     return Strikes(
         backlash=J,
-        share=J / (_swing(motion)[:, None] * bodies.ratio),
+        share=np.divide(J, swing, out=np.zeros((P, B)), where=swing > 0),
         let_go=spread(flown.let_go * step, np.nan),
         left=spread(flown.left),
         struck=spread(flown.at * step, np.nan),
@@ -280,16 +298,15 @@ def quiet_backlashes(
     with the backlash everywhere, so that a bisection from both ends could find a later one."""
     motion, bodies = motion.at([point]), bodies.at([point])
     of = closed(motion, bodies)
-    if not of.parts[0, body]:
-        return (None,) * len(u_limits)
-    limits = np.array(u_limits)
-    swing = float(_swing(motion)[0] * bodies.ratio[body])
-    lanes = np.zeros((limits.size, SECTIONS), int)
-    shares = np.broadcast_to(np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS), lanes.shape)
+    limits, swing = np.array(u_limits), float(_swing(motion)[0] * bodies.ratio[body])
+    if not of.parts[0, body] or not swing:
+        return (None,) * limits.size
+    shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)[None]  # (1, sections), then of each limit its own
     for _ in range(NARROWER):
         J = (shares * swing).ravel()
-        _, _, u, _ = _flown(motion, bodies, of, lanes.ravel(), np.full(J.size, body), J)
-        reached = u.max(-1).reshape(lanes.shape) >= limits[:, None]
+        _, _, u, _ = _flown(motion, bodies, of, np.zeros(J.size, int), np.full(J.size, body), J)
+        reached = u.max(-1).reshape(shares.shape) >= limits[:, None]
+        shares = np.broadcast_to(shares, reached.shape)
         k = np.argmax(reached, 1)
         first, each = np.maximum(k - 1, 0), np.arange(limits.size)
         found, shares = shares[each, k], np.linspace(shares[each, first], shares[each, k], SECTIONS, axis=1)
@@ -302,8 +319,8 @@ def quiet_backlashes(
 
 
 def course(motion: Motion, bodies: Bodies, point: int, body: int) -> tuple[Array, Array, Array]:
-    """ε of the crank over a working cycle (K,), there y of a body between its flanks, 0 … −J in m (K,), and the force in
-    its mesh without the peaks of the strikes, in N (K,): on the coast flank it is below 0, in flight 0.
+    """ε of the crank over a working cycle (K,), there y of a body between its flanks, 0 … −J in m (K,), and the force
+    in its mesh without the peaks of the strikes, in N (K,): on the coast flank it is below 0, in flight 0.
 
     A body that does not fly of itself stays on its driving flank.  An orbit that does not fit into a working cycle is
     shown from the letting-go with which it begins."""

@@ -76,7 +76,7 @@ def flight(driver, g, J, t_0, side, w=0.0):
                 end, to = top, 1 if y(top) > 0 else -1 if y(top) < -J else 0
             if to:
                 wall = 0.0 if to > 0 else -J
-                at = brentq(lambda t: y(t) - wall, t[k - 1], end, xtol=1e-16, rtol=1e-14)
+                at = brentq(lambda t, wall=wall: y(t) - wall, t[k - 1], end, xtol=1e-16, rtol=1e-14)
                 return at, int(to), float(slope(at))
     raise AssertionError("no flank is met")
 
