@@ -63,7 +63,7 @@ RATTLE = CheckRule(
     sense="<=",
     unit="mm/s",
     source=YARDSTICK,
-    value_id="gears.drive.impact_speed",
+    value_id=dotted("gears", "drive", DriveResult.impact_speed),
     moved_by=MOVES,
     short=Text("rattle"),
 )

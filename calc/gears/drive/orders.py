@@ -28,7 +28,12 @@ def mesh_order(z: Number, i: Number) -> Number:
     return z * i
 
 
-@formula("f_Z", "definition: a harmonic of the mesh, of so many to a turn of the crank", unit="Hz")
+@formula(
+    "f_Z",
+    "definition: a harmonic of the mesh, of so many to a turn of the crank",
+    unit="Hz",
+    names={"k": "k_Z", "o": "o_Z", "n": "n_C"},
+)
 def mesh_frequency(k: Number, o: Number, n: RevPerSecond) -> Hertz:
     """`k`: harmonic, `n`: speed of the crank.
 
