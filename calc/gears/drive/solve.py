@@ -15,7 +15,7 @@ from ...engine.inputs import EngineInputs
 from ...engine.load import CrankTorque, crank_torque
 from ...engine.operation import GasRow
 from ...engine.result import EngineResult
-from ...friction.drag import drags
+from ...friction.drag import drag_sources, drags
 from ...friction.result import FrictionResult
 from ...library.catalogue import Material
 from ...sheet.arrays import Array
@@ -379,9 +379,9 @@ def _masses(line: TrainOnLine) -> list[Kilogram]:
 def _drags(drive: Drive, p: int, judged: Survey) -> list[Newton]:
     """D_c of every mesh at a point of the survey."""
     line, of = drive.line, drive.work.friction
-    sources = () if of is None else (of.total_loss,)
     D: list[Newton] = []
     for i, link in enumerate(line.links):
+        sources = () if of is None else drag_sources(of, link.driven)
         T_d = based_on(float(judged.bodies.drag[p, i]) * float(line.radius[i]), *sources)
         with about(Text("wheel {name}, drag", name=link.driven)):
             D.append(drag_on_line(T_d=T_d, r_b=line.radius[i]))
