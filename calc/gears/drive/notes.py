@@ -26,6 +26,11 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
         )
     if not drive.drive.drag_known:
         yield Text("No drag is known: the flanks are held by nothing, and the ratio of inertia to drag has no value.")
+    elif gears.power is not None and work.shafts:
+        yield Text(
+            "gears.power_kW holds no flanks together here, since what takes it is not known: a pump belongs into "
+            "[[shafts.loads]], of its shaft."
+        )
     if source.J_E is not None:
         yield Text(
             "Beside flywheel and train nothing counts on the crank: its own inertia, gear and pulley are not known."
