@@ -38,7 +38,7 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
         of_train = float(source.J_E) - float(work.engine.flywheel_inertia or 0.0)
         if of_train > REFLECTED * float(source.J_E):
             yield Text(
-                "The train has {share} of the inertia on the crank, whose motion, taken as given, is too even.",
+                "The train has {share} of the inertia on the crank: taken as given, its motion is too even.",
                 share=Amount(100 * of_train / float(source.J_E), "%", form=".0f"),
             )
         if source.nose and work.engine.crank_twist is None:

@@ -20,7 +20,8 @@ from .checks import method_checks, rattle_checks, strength_checks
 from .notes import notes
 from .orders import error_by_load
 from .result import HARDEST, IDLE, OPERATIONS, DriveResult, MeshAt, MeshOverSpeed, WheelStruck
-from .scissor import ScissorCase, ScissorResult, scissor, scissor_checks
+from .scissor import ScissorCase, scissor, scissor_checks
+from .spring import ScissorResult
 from .strength import StrikeRate, strike_rate
 from .strength import struck as under_strike
 
