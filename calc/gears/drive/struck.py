@@ -23,6 +23,7 @@ from .result import HARDEST, IDLE, OPERATIONS, DriveResult, MeshAt, MeshOverSpee
 from .scissor import ScissorCase, ScissorResult, scissor, scissor_checks
 from .strength import StrikeRate, strike_rate
 from .strength import struck as under_strike
+from .tables import tables
 
 STRUCK = (IDLE, HARDEST)  # where the teeth are rated under their strikes
 ESTIMATES = ("low", "high", "most")
@@ -44,11 +45,17 @@ def struck(
             key: replace(mesh, scissor=springs.get(key), error_by_load=_error(train, key))
             for key, mesh in meshes.items()
         }
+    rated = replace(
+        train,
+        meshes={key: replace(mesh, over_speed=meshes.get(key)) for key, mesh in train.meshes.items()},
+        wheels={name: replace(wheel, strikes=wheels.get(name)) for name, wheel in train.wheels.items()},
+    )
     told: Outcome[object] = Outcome(
         "gears",
         checks=tuple(_checks(gears, train, drive, meshes, wheels, springs)),
         lines=tuple(lines),
-        notes=Later(lambda: notes(gears, train, drive)),
+        tables=Later(lambda: tables(rated, drive)),
+        notes=Later(lambda: notes(gears, rated, drive)),
     )
     return told, meshes, wheels, drive
 
