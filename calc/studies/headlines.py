@@ -232,6 +232,12 @@ class StruckSafety:
     low: Published
 
     @property
+    def label(self) -> Text:
+        if self.high.symbol == "S_H":
+            return Text("Safety against pitting under strikes, high to low force")
+        return Text("Safety against tooth breakage under strikes, high to low force")
+
+    @property
     def words(self) -> Text:
         """`0.94 to 1.08`."""
         return Text("{high} to {low}", high=Amount(self.high.shown, form=".2f"), low=Amount(self.low.shown, form=".2f"))

@@ -13,6 +13,7 @@ import numpy as np
 from ...sheet.arrays import Array
 from ...sheet.step import Curve, Series, Walk, axis_label
 from ...sheet.text import EMPTY, Amount, Text
+from ...sheet.value import untraced
 from .checks import grade_limits
 from .result import HARDEST, IDLE, DriveResult
 from .solve import Drive
@@ -68,7 +69,7 @@ def strikes_over_speed(drive: DriveResult) -> Curve:
         limits=tuple((Text("grade {grade}", grade=grade), u * MM_S) for grade, u in zip("AB", grade_limits())),
         point=(drive.idle_speed * RPM, (drive.impact_speed or 0.0) * MM_S) if graded else None,
         fails=drive.grade is not None and drive.grade > 2,
-        short=1,
+        short=2,
     )
 
 
@@ -109,8 +110,9 @@ def hardest_body(drive: DriveResult) -> int:
 def _cycle(drive: Drive, speeds: Array, body: int, op: str, part: str, step: int, row: int) -> Curve:
     """One of both figures of a cycle, at one of the speeds and loads."""
     n, load = float(speeds[step]), drive.source.loads[row]
-    of = drive.survey(np.array([n]), np.array([load]))
-    epsilon, y, F = course(of.motion, of.bodies, 0, body)
+    with untraced():
+        of = drive.survey(np.array([n]), np.array([load]))
+        epsilon, y, F = course(of.motion, of.bodies, 0, body)
     degrees = np.degrees(epsilon)
     words = dict(pair=drive.line.links[body].title, n=Amount(n * RPM, "rpm", form=".0f"), load=load_words(load))
     x_label, stack = axis_label("crank", "°"), f"cycle_{op}"
@@ -162,41 +164,41 @@ def _flanks(of: Survey, body: int) -> Iterator[Series]:
 
 
 def window(drive: DriveResult) -> Iterator[Curve]:
-    """Along the backlash of the way to the body that strikes hardest: where it jams, where it is quiet, where it
-    rattles; marks at the nominal backlash, at the smallest and the largest when warm, and at the grades.  What has no
-    value is not drawn."""
+    """Along the backlash of the way to the body that strikes hardest: where it jams, where it is free, where it leaves
+    too much of what the shaft balances, where it rattles; marks at the nominal backlash, at the smallest and the
+    largest when warm, and at the grades.  What has no value is not drawn."""
     low, high, A, B = drive.window_low, drive.window_high, drive.backlash_quiet_a, drive.backlash_quiet_b
     if low is None and high is None and B is None:
         return
     body, line = hardest_body(drive), drive.drive.line
     lever = drive.survey.bodies.lever[:, body]
-    of_way = {corner: float(np.array(j, dtype=float) @ lever) for corner, j in line.play.items()}
+    least, nominal, most = (float(np.array(line.play[k], dtype=float) @ lever) for k in ("least", "nominal", "most"))
     marks = [
-        (Text("smallest, warm"), of_way["least"]),
-        (Text("nominal"), of_way["nominal"]),
-        (Text("largest, warm"), of_way["most"]),
+        (Text("smallest, warm"), least),
+        (Text("nominal"), nominal),
+        (Text("largest, warm"), most),
         (Text("grade A"), A),
         (Text("grade B"), B),
     ]
-    end = 1.1 * max(x for x in (low, high, *(x for _, x in marks)) if x is not None)
-    start = min(0.0, *(x for _, x in marks if x is not None))
-    loud = B if high is None else high
+    known = [x for x in (0.0, low, high, *(x for _, x in marks)) if x is not None]
+    room = 0.05 * (max(known) - min(known))
+    start, end = min(known) - room, max(known) + room
+    loud = None if B is None else max(B - (most - nominal), high or 0.0)
     zones = [
-        (1, Text("jams"), None if low is None else start, low),
-        (2, Text("free"), low if low is not None else start, high),
-        (3, Text("rattles or is late"), loud, end),
+        (Text("jams"), start, low),
+        (Text("free"), start if low is None else low, high),
+        (Text("late"), high, end if loud is None else loud),
+        (Text("rattles"), loud, end),
     ]
     boxes = [
         _box(lane, words, left * UM, right * UM)
-        for lane, words, left, right in zones
+        for lane, (words, left, right) in enumerate(zones, 1)
         if left is not None and right is not None and left < right
     ]
+    upright = np.array([0.5, 4.5])
     lines = [
         Series(
-            Text("{mark} {J}", mark=words, J=Amount(J * UM, "µm", form=".0f")),
-            np.full(2, J * UM),
-            np.array([0.5, 3.5]),
-            dashed=True,
+            Text("{mark} {J}", mark=words, J=Amount(J * UM, "µm", form=".0f")), np.full(2, J * UM), upright, dashed=True
         )
         for words, J in marks
         if J is not None
@@ -204,10 +206,10 @@ def window(drive: DriveResult) -> Iterator[Curve]:
     yield Curve(
         "backlash_window",
         Text("Backlash on the way to {wheel}, between jam and rattle", wheel=line.links[body].driven),
-        axis_label("backlash along the line of action, nominal", "µm"),
-        Text("1 jams, 2 free, 3 rattles or late"),
+        axis_label("nominal backlash along the line of action", "µm"),
+        Text("1 jams, 2 free, 3 late, 4 rattles"),
         (*boxes, *lines),
-        short=2,
+        short=3,
     )
 
 

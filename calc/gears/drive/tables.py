@@ -28,31 +28,46 @@ def tables(train: TrainResult, drive: DriveResult) -> Iterator[Table]:
 
 
 def over_speed_table(train: TrainResult, drive: DriveResult) -> Table:
-    """Every mesh at idle and where the train strikes hardest.  The safeties are the least of both points."""
+    """Every mesh at idle and where the train strikes hardest.  The safeties, by the high and by the low force, are the
+    least of both points."""
     rows = []
     for key, mesh in train.meshes.items():
         if (over := mesh.over_speed) is None:
             continue
         for op in (op for op in (IDLE, HARDEST) if op in over.operations):
             at = over.operations[op]
-            grade = grade_letter(grade_of(at.impact_speed)) if op == IDLE else None
+            place = Text("idle, grade {grade}", grade=grade_letter(grade_of(at.impact_speed)))
             safeties = _safeties(train, key, over) if op == HARDEST else (None, None)
             u, force = at.impact_speed * MM_S, _force(at)
             rows.append(
-                (Name(mesh.title), point_words(drive, op), grade, u, force, at.impact_power, at.separation, *safeties)
+                (
+                    Name(mesh.title),
+                    place if op == IDLE else Text("hardest"),
+                    u,
+                    force,
+                    at.impact_power,
+                    at.separation,
+                    *safeties,
+                )
             )
     columns = (
         (Text("mesh"), ""),
         (Text("at"), ""),
-        (Text("grade"), ""),
         (Text("hardest strike"), "mm/s"),
         (Text("force, low to high"), "N"),
         (Text("power, about"), "W"),
         (Text("Γ"), ""),
-        (Text("S_H, high to low force"), ""),
-        (Text("S_F, high to low force"), ""),
+        (Text("S_H"), ""),
+        (Text("S_F"), ""),
     )
-    title = Text("Strikes of the flanks at idle and where they are hardest")
+    hardest = point_words(drive, HARDEST)
+    title = Text("Strikes of the flanks where they are hardest ({hardest})", hardest=hardest)
+    if IDLE in drive.at:
+        title = Text(
+            "Strikes of the flanks at idle ({idle}) and where they are hardest ({hardest})",
+            idle=point_words(drive, IDLE),
+            hardest=hardest,
+        )
     return Table("drive_over_speed", title, columns, tuple(rows), ACCURACY, short=True)
 
 
@@ -124,6 +139,13 @@ CHAIN: tuple[tuple[Text, str, str, str, str], ...] = (
 )  # fmt: skip
 
 
+HELD = Text(
+    "Mesh by mesh; the chain is a model of this program's makers, with dampings of 0.05 to 0.4 and steps of 4 µs. In 240 "
+    "random trains with 618 struck meshes its largest force was, over the low estimate, 0.60 at least, 0.78, 1.18 and "
+    "2.8 (5 %, median, 95 %), 11 at most; over the high one 0.16, 0.52, 0.78, 1.18 and 1.87."
+)
+
+
 def chain_table() -> Table:
     """Low and high estimate beside a chain of elastic teeth at three dampings, mesh by mesh."""
     columns = (
@@ -135,7 +157,7 @@ def chain_table() -> Table:
     )
     rows = tuple((words, *map(Name, cells)) for words, *cells in CHAIN)
     title = Text("How good the forces are: held against a chain of elastic teeth")
-    return Table("drive_accuracy", title, columns, rows, ACCURACY)
+    return Table("drive_accuracy", title, columns, rows, HELD)
 
 
 # --- in one sentence
