@@ -119,7 +119,7 @@ def _cycle(drive: Drive, speeds: Array, body: int, op: str, part: str, step: int
     if part == "force":
         return Curve(
             f"cycle_force_{op}",
-            Text("Force in {pair} over a cycle, {n}, {load}", **words),
+            Text("{n}, {load}: force in {pair} over a cycle", **words),
             x_label,
             axis_label("force, without the peaks of the strikes", "N"),
             (Series(EMPTY, degrees, F),),
@@ -128,7 +128,7 @@ def _cycle(drive: Drive, speeds: Array, body: int, op: str, part: str, step: int
         )
     return Curve(
         f"cycle_way_{op}",
-        Text("Way of {pair} between its flanks, {n}, {load}", **words),
+        Text("{n}, {load}: {pair} between its flanks", **words),
         x_label,
         axis_label("way between the flanks", "µm"),
         (Series(Text("way"), degrees, y * UM), *_flanks(of, body)),
