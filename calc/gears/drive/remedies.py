@@ -303,7 +303,7 @@ def by_allowance(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
 
 def _by_wheel(shop: Workshop, less: Mapping[int, int]) -> dict[str, int]:
     """By how much the span of each wheel grows in µm, so that each mesh has as much less backlash as it should, and no
-    other mesh any; as few wheels as that takes."""
+    other mesh any; no wheel by more than that takes."""
     line, start = shop.now.line, shop.train.tree.first
     rise, sign = {start: 0}, {start: 1}  # of each wheel: rise + sign·x, x that of the first one
     for i, link in enumerate(line.links):
@@ -316,7 +316,8 @@ def _by_wheel(shop: Workshop, less: Mapping[int, int]) -> dict[str, int]:
     def moved(x: int) -> dict[str, int]:
         return {name: rise[name] + sign[name] * x for name in rise}
 
-    x = min((-rise[name] * sign[name] for name in rise if sign[name]), key=lambda x: sum(map(abs, moved(x).values())))
+    most = max(map(abs, rise.values()))
+    x = min(range(-most, most + 1), key=lambda x: (max(map(abs, moved(x).values())), sum(map(abs, moved(x).values()))))
     return moved(x)
 
 
