@@ -89,7 +89,7 @@ def _finding(check: Check) -> Iterator[str]:
     """What is judged, its id, and what decides: how far it goes with what is not given, and what would mend it."""
     yield from _headed(check)
     ways = check.ways_text()
-    advice = ways if ways and check.advice.startswith(ways) else check.advice  # what is said beside them is for --all
+    advice = ways if ways and check.to_do.startswith(ways) else check.to_do  # what is said beside them is for --all
     if words := [*filter(None, (_beyond(check), check.lack_in_short(), advice))]:
         yield from _wrapped_finding(SPACE.join(words))
 
@@ -97,7 +97,7 @@ def _finding(check: Check) -> Iterator[str]:
 def _whole_finding(check: Check) -> Iterator[str]:
     """The same with all that is known of it."""
     yield from _headed(check)
-    if words := [*filter(None, (_beyond(check), check.lack_text(), check.advice))]:
+    if words := [*filter(None, (_beyond(check), check.lack_text(), check.to_do))]:
         yield from _wrapped_finding(SPACE.join(words))
     if check.source:
         yield from _wrapped_finding(check.source)
@@ -469,7 +469,7 @@ def check_json(check: Check, moved: "Sequence[Effect] | None" = None) -> dict[st
         "verdict": check.verdict,
         "outside": list(check.outside),
         "source": check.source,
-        "advice": check.advice,
+        "advice": check.to_do,
         "judges": check.value_id,
         "against": check.limit_id,
         "moved_by": [{"key": e.key, "slope": e.slope, "gain": e.gain, "unit": e.unit} for e in measured],

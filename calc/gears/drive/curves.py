@@ -164,30 +164,31 @@ def _flanks(of: Survey, body: int) -> Iterator[Series]:
 
 
 def window(drive: DriveResult) -> Iterator[Curve]:
-    """Along the backlash of the way to the body that strikes hardest: where it jams, where it is free, where it leaves
-    too much of what the shaft balances, where it rattles; marks at the nominal backlash, at the smallest and the
-    largest when warm, and at the grades.  What has no value is not drawn."""
-    low, high, A, B = drive.window_low, drive.window_high, drive.backlash_quiet_a, drive.backlash_quiet_b
-    if low is None and high is None and B is None:
+    """Along the backlash of the way that has the least room: where it jams, where it is free, where it leaves too much
+    of what the shaft balances, where it rattles; marks at the nominal backlash, at the smallest and the largest when
+    warm, and at the grades.  What has no value is not drawn."""
+    way, line = drive.window, drive.drive.line
+    if way is None:
         return
-    body, line = hardest_body(drive), drive.drive.line
-    lever = drive.survey.bodies.lever[:, body]
-    least, nominal, most = (float(np.array(line.play[k], dtype=float) @ lever) for k in ("least", "nominal", "most"))
+    lever = drive.survey.bodies.lever[:, way.body]
+    least = sum(float(line.play["least"][i] * lever[i]) for i in map(line.index, way.taken))
+    most = float(way.nominal + way.widened)
     marks = [
         (Text("smallest, warm"), least),
-        (Text("nominal"), nominal),
+        (Text("nominal"), float(way.nominal)),
         (Text("largest, warm"), most),
-        (Text("grade A"), A),
-        (Text("grade B"), B),
+        (Text("grade A"), way.quiet_a),
+        (Text("grade B"), way.quiet_b),
     ]
-    known = [x for x in (0.0, low, high, *(x for _, x in marks)) if x is not None]
+    known = [x for x in (0.0, way.low, way.high, *(x for _, x in marks)) if x is not None]
     room = 0.05 * (max(known) - min(known))
     start, end = min(known) - room, max(known) + room
-    loud = None if B is None else max(B - (most - nominal), high or 0.0)
+    loud = None if way.quiet_b is None else way.quiet_b - way.widened
+    late = way.high if way.by_phase else None
     zones = [
-        (Text("jams"), start, low),
-        (Text("free"), start if low is None else low, high),
-        (Text("late"), high, end if loud is None else loud),
+        (Text("jams"), start, way.low),
+        (Text("free"), way.low, way.high),
+        (Text("late"), late, end),
         (Text("rattles"), loud, end),
     ]
     boxes = [
@@ -205,7 +206,7 @@ def window(drive: DriveResult) -> Iterator[Curve]:
     ]
     yield Curve(
         "backlash_window",
-        Text("Backlash on the way to {wheel}, between jam and rattle", wheel=line.links[body].driven),
+        Text("Backlash on the way to {wheel}, between jam and rattle", wheel=line.links[way.body].driven),
         axis_label("nominal backlash along the line of action", "µm"),
         Text("1 jams, 2 free, 3 late, 4 rattles"),
         (*boxes, *lines),

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from ..rating.load import Irregular
     from .solve import Drive
     from .survey import Survey
+    from .window import Window
 
 IDLE, IDLE_FULL, RATED, HARDEST = "idle", "idle_full", "rated", "hardest"
 OPERATIONS = {
@@ -143,3 +144,4 @@ class DriveResult:
     at: Mapping[str, int]  # the published points in the survey
     meshes: Mapping[str, MeshOverSpeed]
     torques: "Irregular"  # what the rating takes
+    window: "Window | None" = None  # the way with the least room for its nominal backlash
