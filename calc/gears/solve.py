@@ -27,6 +27,8 @@ from .checks import no_wheel_check, speed_ratio_check
 from .drive.result import DriveResult
 from .drive.solve import over_speed
 from .drive.struck import struck as struck_parts
+from .drive.window import MayLeave
+from .drive.window import window as window_parts
 from .formulas import speed_ratio as speed_ratio_of
 from .inputs import ONLY, GearsInputs, Mesh
 from .layout.forces import forces
@@ -229,6 +231,15 @@ def struck(outcome: Outcome[TrainResult], gears: GearsInputs, context: RatingCon
     of_wheels = {name: replace(wheel, strikes=wheels.get(name)) for name, wheel in train.wheels.items()}
     result = replace(train, meshes=of_meshes, wheels=of_wheels, drive=drive)
     return replace(_joined(outcome, told), result=result)
+
+
+def with_window(outcome: Outcome[TrainResult], shafts: Mapping[str, MayLeave]) -> Outcome[TrainResult]:
+    """The same with the window of the nominal backlash; `shafts`: what each may leave, by its name."""
+    train = outcome.solution
+    if train.drive is None:
+        return outcome
+    told, drive = window_parts(train, train.drive, shafts)
+    return replace(_joined(outcome, told), result=replace(train, drive=drive))
 
 
 def merge(geometry: Outcome[TrainResult], rated: Outcome[RatingResult]) -> Outcome[TrainResult]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from ...sheet.text import Amount, Text
 from ..inputs import GearsInputs
 from ..result import TrainResult
+from . import orders
 from .result import IDLE, DriveResult
 
 REFLECTED = 0.3  # of the inertia on the crank: a train with more of it acts back
@@ -50,6 +51,17 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
         yield Text(
             "Idle without load is not known, so that nothing is graded: give an [[engine.operation]] row of load 0."
         )
+    influences = {
+        key: K
+        for key, mesh in train.meshes.items()
+        if mesh.rating is not None and (K := mesh.rating.influence) is not None
+    }
+    found = {
+        key: orders.MeshOrder(order=over.order, error_by_load=over.error_by_load if key in influences else None)
+        for key, mesh in train.meshes.items()
+        if (over := mesh.over_speed) is not None
+    }
+    yield from orders.notes(gears, train, found, influences)
     yield Text(
         "Strikes are without rebound, at steady speed, of rigid bodies; oil squeezed between flanks would take speed "
         "off light wheels."
