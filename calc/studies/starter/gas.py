@@ -33,7 +33,6 @@ KEYS = (
     GasInputs.exhaust_pressure,
     GasInputs.constant_pressure_angle,
 )
-UNEVEN = "idle_irregularity"  # of a kind that has one of its own
 
 
 @record
@@ -60,20 +59,20 @@ def usual(engine: EngineInputs, document: Document, kind: str) -> Usual:
     if engine.flywheel_inertia is None and (engine.gas is not None or gas):
         more = as_table(table([(head(Design.engine), rows), *gas])[dotted(Design.engine)])
         there = Document({"schema": SCHEMA, "name": "", dotted(Design.engine): {**of, **more}})
-        J, delta = flywheel(there, known.get(UNEVEN))
+        J, delta = flywheel(there)
         if J is not None:
             rows[EngineInputs.flywheel_inertia] = (J, f"assumed: at idle it turns unevenly by {delta:g}, as is usual")
     return Usual(rows, gas)
 
 
-def flywheel(document: Document, delta: Number | None) -> tuple[KilogramMetre2 | None, Number]:
-    """The inertia with which an engine idles with the irregularity `delta`, left out that of its number of cylinders, to
-    two digits; and that irregularity.  None where its cycle without load is not solved."""
+def flywheel(document: Document) -> tuple[KilogramMetre2 | None, Number]:
+    """The inertia, to two digits, with which an engine idles as unevenly as is usual of its number of cylinders; and that
+    irregularity.  None where its cycle without load is not solved."""
     made = design(document)
     engine, known = made.engine, solve(made).result(EngineResult)
     assert engine is not None and known is not None
     idle = idle_speed(engine, None)
-    delta = default_row(engine, idle).delta if delta is None else delta
+    delta = default_row(engine, idle).delta
     try:
         torque = crank_torque(engine, known, (), np.array([idle]), np.zeros(1), idle=idle)
     except NoSolution:
