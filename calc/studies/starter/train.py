@@ -5,8 +5,8 @@ friction.
 
 Trains and flanks are tried in the order in which they are usual; the first is taken that leaves nothing to be said of
 teeth and losses.  Where strikes stop one, the wheels that follow are finer, with less backlash, and wider; the first is
-taken that is not graded C at idle and keeps every limit, even if cautions of its strikes stay; else the first that
-keeps every limit."""
+taken that is not graded C at idle and keeps every limit, even if cautions of its strikes stay; else the quietest of
+those that keep every limit."""
 
 import math
 from collections import Counter
@@ -121,7 +121,7 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
     why: list[Text] = []
     power = None if "bearings" in document.data else MUCH
     known = {c.id for c in results.outcomes["countershaft"].checks if c.verdict in URGENT}
-    struck: tuple[list[Section], list[Section]] | None = None
+    struck: tuple[float, list[Section], list[Section]] | None = None  # with the speed of its strikes at idle
     hard = False  # whether strikes stopped one
     for train in (replace(train, finer=finer) for finer in (False, True) for train in _trains(results.design, finer)):
         if train.finer != hard:
@@ -139,15 +139,16 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
                 if not stopping:
                     return wheels, losses
                 if train.finer and all(c.rule in OF_STRIKES and c.verdict == "warn" for c in stopping):
-                    if all(c.rule is not strikes.RATTLE for c in stopping):
+                    speed = next((c.value for c in stopping if c.rule is strikes.RATTLE), 0.0)
+                    if not speed:
                         return wheels, losses
-                    struck = struck or (wheels, losses)
+                    struck = (speed, wheels, losses) if struck is None or speed < struck[0] else struck
             hard = hard or any(c.rule in OF_STRIKES for c in stopping)
             why += [Text("{check}", check=c.name) for c in stopping[:1]]
             if not all(c.rule in OF_FLANKS for c in stopping):
                 break  # finer flanks do not help
     if struck is not None:
-        return struck
+        return struck[1:]
     raise NoSolution(
         TRAIN,
         SEMICOLON.join(text for text, _ in Counter(why).most_common(3)),
@@ -218,7 +219,8 @@ def _trains(design: Design, wide: bool = False) -> Iterator[Train]:
         seat = 2 * shaft.outer_radius
     away = math.hypot(*shaft.axis) if shaft is not None and shaft.axis is not None else 0.0
     sizes = range(len(MODULES) - 1), WHEELS
-    for smaller, teeth, face in (*product(*sizes, FACES if not wide else ()), *product(*sizes, WIDER)):
+    faces = (WIDER[::2],) if wide else (FACES, WIDER)
+    for smaller, teeth, face in (row for of in faces for row in product(*sizes, of)):
         modules = [
             module for module in MODULES if (module <= USUAL or teeth != WHEELS[0]) and tip(teeth[0], module) < seat
         ]
