@@ -126,7 +126,13 @@ class DriveResult:
     hardest_load: Number = value("Load at which the flanks strike hardest", "%", "p_u")
     impact_power: Watt = value("Power lost by strikes, about, at most", "W", "ΣW_u", short=True)
     impact_speed: MetrePerSecond | None = value(
-        "Hardest strike of the drive at idle, no load", "mm/s", "u_s,i", default=None, short=True, page_one=9, headline=3
+        "Hardest strike of the drive at idle, no load",
+        "mm/s",
+        "u_s,i",
+        default=None,
+        short=True,
+        page_one=9,
+        headline=3,
     )
     grade: Number | None = value("Grade of the rattle at idle: 1 A, 2 B, 3 C", "", default=None)
     backlash_quiet_a: Metre | None = value(

@@ -451,10 +451,11 @@ def _torques(drive: Drive, judged: Survey, operations: Mapping[str, MotionAt], m
                 alpha=alpha, i_1=abs(drive.work.ratio), r_b1=line.first_radius, rho=float(judged.bodies.ratio[i])
             )
             dynamic = dynamic_torque(M=M[i], a=a, r_b=line.radius[i], z_1=link.z_1, z_2=link.z_2)
-        slowing = of.mass[i] * of.slowing[:, i] * float(line.radius[i]) * link.z_1 / link.z_2
+        lever = of.mass[i] * float(line.radius[i]) * link.z_1 / link.z_2
+        slowing, at_rated = lever * of.slowing[:, i], float(lever * of.speeding[rated, i])
         D = of.drag[:, i]
         share = D / D[rated] if D[rated] > 0 else np.ones(D.size)
-        torques[link.key] = MeshTorques(dynamic, slowing.tolist(), share.tolist())
+        torques[link.key] = MeshTorques(dynamic, slowing.tolist(), share.tolist(), at_rated)
     return Irregular(torques, drive.source.assumed)
 
 
