@@ -304,9 +304,7 @@ def balanced(shafts: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, Bal
     return {name: Balanced(shaft.couple, shaft.force if several else None) for name, shaft in solved.items()}
 
 
-def may_leave(
-    shafts: Mapping[str, Outcome[CountershaftResult]], left: Outcome[SystemResult]
-) -> dict[str, MayLeave]:
+def may_leave(shafts: Mapping[str, Outcome[CountershaftResult]], left: Outcome[SystemResult]) -> dict[str, MayLeave]:
     """What each shaft turns with, and what all of them together may leave of it at the order that they are for."""
     most = {check.rule: check.limit for check in left.checks if isinstance(check.limit, float)}
     couple, force = (

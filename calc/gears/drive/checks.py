@@ -218,7 +218,9 @@ def strength_checks(
         if most is not None:
             hard, missing = Text("{name}, high force", name=name), lack(drive.assumed, taken, most)
             ways = stronger(key, "most")
-            yield STRIKE_CONTACT_MOST(most, S_H_LEAST, at=key, name=hard, missing=missing, index=index[key], remedies=ways)
+            yield STRIKE_CONTACT_MOST(
+                most, S_H_LEAST, at=key, name=hard, missing=missing, index=index[key], remedies=ways
+            )
     for of, wheel in wheels.items():
         name = Text("Safety of {wheel} against tooth breakage under strikes", wheel=of)
         low, most = wheel.strike_safety_bending_low, wheel.strike_safety_bending_most
@@ -241,9 +243,7 @@ def method_checks(drive: DriveResult, shares: Mapping[str, Number]) -> Iterator[
     yield ASSUMED(float(not drive.assumed), 1.0)
 
 
-def window_check(
-    drive: DriveResult, low: Metre, high: Metre, governs: Text, opens: Text
-) -> Check:
+def window_check(drive: DriveResult, low: Metre, high: Metre, governs: Text, opens: Text) -> Check:
     """Whether the window of the nominal backlash has room; both along the line of action, of one way."""
     return BACKLASH_WINDOW(
         low,

@@ -36,7 +36,7 @@ from ..wheel_inputs import Wheel
 from .bodies import TrainOnLine
 from .checks import DRIVEN_FROM, FLYWHEEL, grade_letter, grade_of
 from .inputs import DriveInputs
-from .result import IDLE, DriveResult
+from .result import HARDEST, IDLE, DriveResult
 from .scissor_inputs import Scissor
 from .solve import Source
 from .strength import StrikeRate, struck
@@ -120,14 +120,18 @@ class Workshop:
 
     @cached_property
     def parting(self) -> list[int]:
-        """The meshes that part of themselves at idle without load."""
-        return [int(i) for i in np.flatnonzero(self.drive.survey.closed.parts[self.drive.at[IDLE]])]
+        """The meshes that part of themselves at idle without load; where that is not known where they strike hardest."""
+        return [int(i) for i in np.flatnonzero(self.drive.survey.closed.parts[self._point])]
+
+    @property
+    def _point(self) -> int:
+        return self.drive.at.get(IDLE, self.drive.at[HARDEST])
 
     @property
     def separation(self) -> Number:
         """Inertia over drag of the mesh in which it is largest; infinite where no drag is known."""
         of = self.drive.survey.closed
-        return float(of.separation[self.drive.at[IDLE], self.parting].max(initial=0.0))
+        return float(of.separation[self._point, self.parting].max(initial=0.0))
 
     def title(self, i: int) -> str:
         return self.train.meshes[self.now.line.links[i].key].title
@@ -407,7 +411,9 @@ def by_scissor(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
     """In as few meshes as are enough, with the weakest springs; and in all that part, which closes every flank.  A
     spring holds from idle without load up to 1.5 times idle at any load."""
     torques = {i: _holding(shop, i) for i in shop.parting if i not in shop.now.springs}
-    few = sorted((way for n in (1, 2) for way in combinations(torques, n)), key=lambda way: sum(torques[i] for i in way))
+    few = sorted(
+        (way for n in (1, 2) for way in combinations(torques, n)), key=lambda way: sum(torques[i] for i in way)
+    )
     enough = (way for way in few if len(way) < len(torques) and goal.reached(_sprung(shop, torques, way)))
     for way in filter(None, (next(enough, None), tuple(torques))):
         if goal.reached(of := _sprung(shop, torques, way)):
@@ -461,7 +467,9 @@ def in_words(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
     if 1 < (Gamma := shop.separation) < math.inf and not any(shop.drive.drive.line.gravity):
         effect = Text("closed flanks at idle; before that the grade hardly moves")
         words = Text(
-            "{share} of the masses behind the crank ({effect})", share=Amount(100 / Gamma, "%", form=".0f"), effect=effect
+            "{share} of the masses behind the crank ({effect})",
+            share=Amount(100 / Gamma, "%", form=".0f"),
+            effect=effect,
         )
         yield Remedy((), effect, words)
 
@@ -492,7 +500,13 @@ def notes(shop: Workshop) -> Iterator[Text]:
     if 1 < Gamma < math.inf:
         of, line = shop.drive.survey, shop.now.line
         p = shop.drive.at[IDLE]
-        v = 2 * math.pi * float(shop.drive.idle_speed) * abs(float(shop.now.source.work.ratio)) * float(line.first_radius)
+        v = (
+            2
+            * math.pi
+            * float(shop.drive.idle_speed)
+            * abs(float(shop.now.source.work.ratio))
+            * float(line.first_radius)
+        )
         watts = float((of.bodies.drag[p] * of.bodies.ratio).sum()) * v
         yield Text(
             "More drag is no remedy: only {Gamma} times today's would close the flanks at idle, {watts} in place of "
