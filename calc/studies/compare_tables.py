@@ -269,8 +269,8 @@ def _of_strikes(strikes: tuple[float, float] | None) -> Iterator[Text]:
         yield Text("At idle the flanks {before} → {after}.", before=before, after=after)
         return
     yield Text(
-        "Rattle at idle, tendency: the teeth strike with up to {before} → {after}, {level}; that is no sound level, for "
-        "no structure is known.",
+        "Rattle at idle, tendency: the teeth strike with up to {before} → {after}, {level}; that is no sound level, "
+        "for no structure is known.",
         before=Amount(strikes[0], "N", digits=3),
         after=Amount(strikes[1], "N", digits=3),
         level=Amount(20 * log10(strikes[1] / strikes[0]), "dB", form="+.1f"),

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator, Mapping
 from ...engine.inputs import EngineInputs
 from ...library.table_file import house_table
 from ...sheet.check import Check, CheckRule, Missing
-from ...sheet.quantity import dotted
 from ...sheet.deferred import Later
+from ...sheet.quantity import dotted
 from ...sheet.remedy import Remedy
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Number

@@ -36,6 +36,7 @@ from ..wheel_inputs import Wheel
 from .bodies import TrainOnLine
 from .checks import DRIVEN_FROM, FLYWHEEL, grade_letter, grade_of
 from .inputs import DriveInputs
+from .motion import Motion
 from .result import HARDEST, IDLE, DriveResult
 from .scissor_inputs import Scissor
 from .solve import Source
@@ -89,7 +90,7 @@ class Workshop:
     def surveyed(
         self, of: Variant, points: tuple[Array, Array], torque: CrankTorque | None, corner: str = "nominal"
     ) -> Survey:
-        def moved(speeds: Array, loads: Array):  # type: ignore[no-untyped-def]  # as `survey` wants it
+        def moved(speeds: Array, loads: Array) -> Motion:
             return of.source.moved(speeds, loads, torque)
 
         with untraced():
@@ -120,7 +121,7 @@ class Workshop:
 
     @cached_property
     def parting(self) -> list[int]:
-        """The meshes that part of themselves at idle without load; where that is not known where they strike hardest."""
+        """The meshes that part of themselves at idle without load, or where that is not known at their hardest."""
         return [int(i) for i in np.flatnonzero(self.drive.survey.closed.parts[self._point])]
 
     @property
@@ -146,7 +147,7 @@ class Workshop:
 
 @record
 class Quiet:
-    """Speeds of the hardest strike at idle without load: as designed, and at the largest backlash where that is asked."""
+    """Speeds of the hardest strike at idle without load: as designed, and where asked at the largest backlash."""
 
     shop: Workshop
     nominal: MetrePerSecond
@@ -361,10 +362,12 @@ def _closer(shop: Workshop, i: int) -> Metre:
     where they have none."""
     system, mesh = shop.train.system, shop.train.meshes[shop.now.line.links[i].key]
     pair = [shop.train.wheels[name] for name in (mesh.driver, mesh.driven)]
-    z, x = [wheel.teeth for wheel in pair], [float(wheel.profile_shift) + CONTRADICTION for wheel in pair]
+    z_1, z_2 = (wheel.teeth for wheel in pair)
+    x_1, x_2 = (float(wheel.profile_shift) + CONTRADICTION for wheel in pair)
+    alpha_t = system.transverse_pressure_angle
     with untraced():
-        alpha_wt = f.angle_of_involute(f.working_involute(system.transverse_pressure_angle, system.alpha_n, *x, *z))
-        a = f.centre_distance(*z, system.transverse_module, system.transverse_pressure_angle, alpha_wt)
+        involute = f.working_involute(alpha_t, system.alpha_n, x_1, x_2, z_1, z_2)
+        a = f.centre_distance(z_1, z_2, system.transverse_module, alpha_t, f.angle_of_involute(involute))
     return float(mesh.centre_distance - a)
 
 
@@ -489,8 +492,8 @@ def notes(shop: Workshop) -> Iterator[Text]:
     after = shop.at_idle(replace(shop.now, line=replace(shop.now.line, stiffness=tuple(stiffness))))
     share = float(after.impacts.high[0, i] / before.impacts.high[0, i])
     yield Text(
-        "A rim of resin ({E} on steel) in {mesh} would take the force of its strikes at idle to {share} ({level}); their "
-        "speed and the grade stay, and its strength is not verified: ISO 6336 rates no resin.",
+        "A rim of resin ({E} on steel) in {mesh} would take the force of its strikes at idle to {share} ({level}); "
+        "their speed and the grade stay, and its strength is not verified: ISO 6336 rates no resin.",
         E=Amount(RESIN * 1e-9, "GPa", form="g"),
         mesh=shop.title(i),
         share=Amount(100 * share, "%", form=".0f"),

@@ -229,9 +229,9 @@ def what_opens_it(drive: DriveResult, way: Window) -> Text:
         for key, j in sorted(way.taken.items(), key=lambda item: -item[1])
     ]
     return Text(
-        "It is shut by {gap}: from below tolerance, runout and temperature take {parts}; from above the largest running "
-        "backlash is {widened} over the nominal one. Narrower tolerances open it from both ends; a heavier flywheel or "
-        "a scissor gear from above.",
+        "It is shut by {gap}: from below tolerance, runout and temperature take {parts}; from above the largest "
+        "running backlash is {widened} over the nominal one. Narrower tolerances open it from both ends; a heavier "
+        "flywheel or a scissor gear from above.",
         gap=Amount((way.low - way.high) * 1e6, "µm", form=".0f"),
         parts=COMMA.join(parts),
         widened=Amount(way.widened * 1e6, "µm", form=".0f"),
