@@ -34,13 +34,14 @@ from ..result import TrainResult
 from ..train import CONTRADICTION
 from ..wheel_inputs import Wheel
 from .bodies import TrainOnLine
-from .checks import DRIVEN_FROM, FLYWHEEL, grade_letter, grade_of
+from .checks import DRIVEN_FROM, FLYWHEEL, grade_letter, grade_limits, grade_of
 from .inputs import DriveInputs
 from .motion import Motion
 from .result import HARDEST, IDLE, DriveResult
 from .scissor_inputs import Scissor
 from .solve import Source
 from .strength import StrikeRate, struck
+from .strikes import quiet_backlashes
 from .survey import Spring, Survey, survey
 from .window import smallest_normal
 
@@ -175,6 +176,49 @@ class Quiet:
 
 
 @record
+class Open:
+    """Room for the nominal backlash on every way: none of which is so long that it rattles before it is safe from
+    jamming."""
+
+    shop: Workshop
+
+    def ends(self, of: Variant) -> tuple[Metre, Metre]:
+        """Of the way with the least room, along the line of action; an infinite upper end where nothing strikes."""
+        shop, line = self.shop, of.line
+        at = shop.at_idle(of)
+        strikes, parts, bodies = at.strikes.orbit[0] > 0, at.closed.parts[0], at.bodies
+        least, along = (0.0, math.inf), cos(shop.train.system.base_helix_angle)
+        for i in np.flatnonzero(strikes):
+            if (strikes & bodies.before[i])[i + 1 :].any():
+                continue  # another one strikes behind it
+            low = wider = 0.0
+            for k in line.path(int(i)):
+                j, lever = float(line.play["nominal"][k]), float(bodies.lever[k, i]) * parts[k]
+                if lever:
+                    low += lever * (j - float(smallest_normal(shop.train, line.links[k].key)) / along)
+                    wider += lever * (float(line.play["most"][k]) - j)
+            with untraced():
+                quiet = quiet_backlashes(at.motion, bodies, int(i), grade_limits()[1:])[0]
+            high = math.inf if quiet is None else quiet - wider
+            least = min(least, (low, high), key=lambda ends: ends[1] - ends[0])
+        return least
+
+    def reached(self, of: Variant) -> bool:
+        low, high = self.ends(of)
+        return low <= high
+
+    def effect(self, of: Variant) -> Text:
+        low, high = self.ends(of)
+        if high == math.inf:
+            return Text("no upper end")
+        return Text(
+            "window {low} to {high}",
+            low=Amount(low * 1e6, form=".0f"),
+            high=Amount(high * 1e6, "µm", form=".0f"),
+        )
+
+
+@record
 class Strong:
     """A safety under strikes, which `of_variant` gives."""
 
@@ -254,6 +298,15 @@ def quiet_remedies(shop: Workshop, nominal: MetrePerSecond, most: MetrePerSecond
     yield from by_scissor(shop, goal)
     yield from by_other_end(shop, goal)
     yield from in_words(shop, goal)
+
+
+def opening_remedies(shop: Workshop) -> Iterator[Remedy]:
+    """What makes room from above; narrower tolerances do so from both ends."""
+    goal = Open(shop)
+    if shop.drive.window is not None and not shop.drive.window.by_phase:
+        yield from by_flywheel(shop, goal)
+        yield from by_closed_flanks(shop, goal)
+        yield from by_scissor(shop, goal)
 
 
 def strong_remedies(shop: Workshop, goal: Strong) -> Iterator[Remedy]:

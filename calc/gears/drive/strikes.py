@@ -312,13 +312,13 @@ def quiet_backlashes(
 
     shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)[None]  # alike for all limits, then of each its own
     u = speeds(shares)
-    reached: list[bool] = (u >= limits[:, None]).any(1).tolist()
+    reached = np.any(u >= limits[:, None], axis=1)
     low, high, slow, fast = _first_reached(shares, u, limits)
     for _ in range(NARROWER):
         shares = np.linspace(low, high, FEWER, axis=1)
         low, high, slow, fast = _first_reached(shares, speeds(shares), limits)
     found = low + (high - low) * np.clip((limits - slow) / np.where(fast > slow, fast - slow, 1.0), 0.0, 1.0)
-    return tuple(float(share * swing) if there else None for share, there in zip(found, reached))
+    return tuple(float(share * swing) if there else None for share, there in zip(found, reached, strict=True))
 
 
 def _first_reached(shares: Array, u: Array, limits: Array) -> tuple[Array, Array, Array, Array]:
