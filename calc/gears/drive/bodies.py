@@ -178,6 +178,16 @@ def _radius(train: TrainResult, name: str) -> Metre:
     return (stage.pitch_diameter_driven if stage.driven == name else stage.pitch_diameter_driver) / 2
 
 
+def plays_on_line(train: TrainResult, line: TrainOnLine) -> dict[str, tuple[Metre, ...]]:
+    """The same of a train of these links with other shifts, tips or distances."""
+    play: dict[str, list[Metre]] = {corner: [] for corner in line.play}
+    for link, r in zip(line.links, line.radius):
+        turns = _plays(train, link.key) if link.toothed else dict.fromkeys(play, 0.0)
+        for corner, phi in turns.items():
+            play[corner].append(play_on_line(phi_j=phi, r_b=r))
+    return {corner: tuple(plays) for corner, plays in play.items()}
+
+
 def _plays(train: TrainResult, key: str) -> dict[str, Radian]:
     """The free turn of the driven wheel: at mid-tolerance, largest and smallest when all is warm; where that is not
     known, by the tolerance of the centre distance alone."""
