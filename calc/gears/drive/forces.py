@@ -222,7 +222,7 @@ class AtPoint:
     bodies: Bodies
     of: Closed
     strikes: Strikes
-    teeth: Teeth
+    teeth: ToothStiffness
     low: Array  # (on, by, E)
     high: Array  # (mesh, by, E)
     whip: Array  # (B,)
