@@ -28,7 +28,7 @@ from calc.sheet.version import VERSION
 from calc.solve import Results
 from calc.studies.described import not_counted
 from calc.studies.explain import Effect, effects
-from calc.studies.headlines import heads
+from calc.studies.headlines import heads, lead
 from calc.studies.ready import limits_hold
 
 # --- findings, as plain text that fits a screen
@@ -89,7 +89,7 @@ def _finding(check: Check) -> Iterator[str]:
     """What is judged, its id, and what decides: how far it goes with what is not given, and what would mend it."""
     yield from _headed(check)
     ways = check.ways_text()
-    advice = ways if ways and check.advice.startswith(ways) else check.advice  # what is said beside them is for --all
+    advice = ways if ways and check.to_do.startswith(ways) else check.to_do  # what is said beside them is for --all
     if words := [*filter(None, (_beyond(check), check.lack_in_short(), advice))]:
         yield from _wrapped_finding(SPACE.join(words))
 
@@ -97,7 +97,7 @@ def _finding(check: Check) -> Iterator[str]:
 def _whole_finding(check: Check) -> Iterator[str]:
     """The same with all that is known of it."""
     yield from _headed(check)
-    if words := [*filter(None, (_beyond(check), check.lack_text(), check.advice))]:
+    if words := [*filter(None, (_beyond(check), check.lack_text(), check.to_do))]:
         yield from _wrapped_finding(SPACE.join(words))
     if check.source:
         yield from _wrapped_finding(check.source)
@@ -263,6 +263,8 @@ def _print_step(results: Results, outcome: Outcome[object], everything: bool) ->
     title, reason = results.design.title(outcome.key), outcome.reason
     print(f"{title}   {sign(outcome.verdict)}" + (f": {reason}" if reason else ""))
     shafts = results.design.resolved if len(results.design.shafts) > 1 and outcome.key in OF_SHAFTS else ()
+    if (words := lead(results, outcome.key)) is not None:
+        print(*_wrapped_finding(words, "  "), "", sep="\n")
     blocks: dict[str, list[Published]] = {"": [], **{f"{outcome.key}.{shaft.name}.": [] for shaft in shafts}}
     for value in outcome.values():
         blocks[next((way for way in blocks if way and value.id.startswith(way)), "")].append(value)
@@ -467,7 +469,7 @@ def check_json(check: Check, moved: "Sequence[Effect] | None" = None) -> dict[st
         "verdict": check.verdict,
         "outside": list(check.outside),
         "source": check.source,
-        "advice": check.advice,
+        "advice": check.to_do,
         "judges": check.value_id,
         "against": check.limit_id,
         "moved_by": [{"key": e.key, "slope": e.slope, "gain": e.gain, "unit": e.unit} for e in measured],

@@ -43,6 +43,7 @@ from .friction.checks import with_oil_level
 from .friction.result import FrictionResult
 from .gears import solve as gears
 from .gears.curves import curves
+from .gears.drive.curves import curves as drive_curves
 from .gears.inputs import GearsInputs
 from .gears.result import TrainResult
 from .gears.wheel import with_masses
@@ -349,7 +350,7 @@ def steps(part: Parts, design: Design, compared: bool) -> Solved:
     c, b = _standing(design, c, b, g.result, f, parts)
     if g.result is not None and design.gears is not None:
         g = _rated(part, g, design.gears, design, e, c, f, parts)
-        g = _on_engine(g, design, c)
+        g = _on_engine(part, g, design, c, left)
         if i.result is not None and e.result is not None:
             g = part(
                 "gears", left_over.one_tooth_off, g, i.result, h.system_shafts(design, c, teeth=True), h.rolls(e.result)
@@ -502,12 +503,17 @@ def _in_place(design: Design, outcomes: Iterable[Outcome[R]]) -> Iterator[Outcom
         yield replace(outcome, checks=tuple([check.in_place(keys_of) for check in outcome.checks]))
 
 
-def _on_engine(g: Outcome[TrainResult], design: Design, c: Shafts) -> Outcome[TrainResult]:
-    """A train that is complete: what its backlash leaves of what the shafts balance, whether they turn as they must,
-    and its curves."""
+def _on_engine(
+    part: Parts, g: Outcome[TrainResult], design: Design, c: Shafts, left: Outcome[SystemResult]
+) -> Outcome[TrainResult]:
+    """A train that is complete: what its backlash leaves of what the shafts balance, the window of that backlash,
+    whether they turn as they must, and its curves."""
     g = gears.with_residuals(g, h.balanced(c))
+    if design.gears is not None:
+        g = gears.with_window(g, design.gears, h.may_leave(c, left))
     g = gears.with_speed_ratios(g, h.ratios(design), design.engine)
-    return replace(g, curves=g.curves + Later(partial(curves, g.solution)))
+    made = Later(partial(drive_curves, g.solution.drive)), Later(partial(curves, g.solution))
+    return replace(g, curves=g.curves + made[0] + made[1])
 
 
 def _mounted(

@@ -187,7 +187,7 @@ class Explain(Once, ModalScreen[str | None]):
             )
             row = f"{signs.mark(self.verdict)} {signs.word(self.verdict)}  {say(sentence)}"
             rows += [Content.styled(row, signs.style(self.verdict)) for row in wrap(row, self.room, 2)]
-            rows += [Content(row) for row in wrap(say(check.advice), self.room)] if check.advice else []
+            rows += [Content(row) for row in wrap(say(check.to_do), self.room)] if check.to_do else []
             rows.append(Content.styled(say(check.source), "dim"))
         return rows
 

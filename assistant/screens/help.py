@@ -232,7 +232,7 @@ class HelpScreen(Once, ModalScreen[None]):
         return [
             Content.assemble((say(check.name), "bold"), (f"   {check.id}", "dim")),
             Content(say(judged)),
-            *([Content(say(check.advice))] if check.advice else []),
+            *([Content(say(check.to_do))] if check.to_do else []),
             *([Content(say(Text("Accepted: {reason}", reason=check.accepted)))] if check.accepted else []),
             *([Content(say(Text("Not known: {keys}.", keys=", ".join(check.missing))))] if check.missing else []),
             *(

@@ -314,7 +314,7 @@ class Checks(ItemList):
             tell(say(Text("outside the validity of its formula: {methods}", methods=named(beyond))))
         if lack := check.lack_text(self._label):
             tell(say(lack))
-        if advice := say(check.advice).removeprefix(say(check.ways_text())).strip():
+        if advice := say(check.to_do).removeprefix(say(check.ways_text())).strip():
             tell(advice)
         if check.open and check.remedies:
             ways = Name("; ").join(remedy.words for remedy in check.remedies)

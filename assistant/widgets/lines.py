@@ -130,7 +130,7 @@ class MessageLine(Widget):
             "limit": check.limit_text(),
         }
         text = Text("{check} {value}, {needs} {limit}", **parts)
-        return self.app.say(Text("{check}. {advice}", check=text, advice=check.advice) if check.advice else text)
+        return self.app.say(Text("{check}. {advice}", check=text, advice=check.to_do) if check.to_do else text)
 
     def offer(self) -> str:
         """Where to find what would help the step that fails, and the nearest design that passes."""

@@ -17,11 +17,12 @@ from ..bearings.solve import BearingMaterials
 from ..bearings.support import Solids, StandingLoads, Task
 from ..countershaft.checks import InPlace, swept
 from ..countershaft.inputs import ShaftInputs
+from ..countershaft.left_over import RESIDUAL, RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE, RESIDUAL_SHARE
 from ..countershaft.making.bolts import on_bearings
 from ..countershaft.result import CountershaftResult
 from ..countershaft.rows import BearingRow
 from ..countershaft.shafts import of_twin
-from ..countershaft.sums import SystemShaft
+from ..countershaft.sums import SystemResult, SystemShaft
 from ..countershaft.supports import Gear, ShaftDrive, Sprocket
 from ..countershaft.twins import Resolved
 from ..engine.result import EngineResult
@@ -31,6 +32,7 @@ from ..friction.result import FrictionResult
 from ..friction.solve import MeshOil
 from ..gears.drive.line import ShaftBody
 from ..gears.drive.source import CrankAtWork
+from ..gears.drive.window import MayLeave
 from ..gears.inputs import ONLY, GearsInputs
 from ..gears.layout.formulas import angular_pitch
 from ..gears.layout.solve import ShaftInTrain
@@ -302,6 +304,16 @@ def balanced(shafts: Mapping[str, Outcome[CountershaftResult]]) -> dict[str, Bal
     several = len(shafts) > 1
     solved = {name: shaft.result for name, shaft in shafts.items() if shaft.result is not None}
     return {name: Balanced(shaft.couple, shaft.force if several else None) for name, shaft in solved.items()}
+
+
+def may_leave(shafts: Mapping[str, Outcome[CountershaftResult]], left: Outcome[SystemResult]) -> dict[str, MayLeave]:
+    """What each shaft turns with, and what all of them together may leave of it at the order that they are for."""
+    most = {check.rule: check.limit for check in left.checks if isinstance(check.limit, float)}
+    couple, force = (
+        next((most[rule] for rule in rules if rule in most), None)
+        for rules in ((RESIDUAL, RESIDUAL_SHARE), (RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE))
+    )
+    return {name: MayLeave(of.couple, couple, of.force, force) for name, of in balanced(shafts).items()}
 
 
 def ratios(design: Design) -> dict[str, float]:

@@ -24,9 +24,8 @@ class OverSpeed:
 
     balance: FrictionResult
 
-    @property
-    def total_loss(self) -> Watt:
-        return self.balance.total_loss
+    def sources(self, wheel: str) -> tuple[object, ...]:
+        return drag_sources(self.balance, wheel)
 
     def drags(self, ratio: Array) -> dict[str, Array]:
         return drags(self.balance, ratio)
@@ -67,3 +66,16 @@ def drags(balance: FrictionResult, ratio: Array) -> dict[str, Array]:
         if balance.delivered_power is not None:
             needed[d.last] += balance.delivered_power * r
         return {name: P / (2 * np.pi * np.abs(at.wheels[name].speed)) for name, P in needed.items()}
+
+
+def drag_sources(balance: FrictionResult, wheel: str) -> tuple[object, ...]:
+    """What the drag of a wheel stands on: the bearings of its shaft and the parts of its own."""
+    d: TrainDrive = balance.drive
+    on: Mapping[str, OnShaft] = balance.on
+    bearings = [
+        bearing.friction_power
+        for name, end in d.ends.items()
+        if end.wheel == wheel
+        for bearing in on[name].bearings.bearings.values()
+    ]
+    return (*bearings, *d.wheels[wheel].parts())

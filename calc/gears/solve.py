@@ -24,9 +24,12 @@ from .backlash.formulas import residual_couple, residual_force
 from .backlash.solve import play, with_couple
 from .checks import checks as train_checks
 from .checks import no_wheel_check, speed_ratio_check
+from .drive.remedies import Workshop, opening_remedies
 from .drive.result import DriveResult
 from .drive.solve import over_speed
 from .drive.struck import struck as struck_parts
+from .drive.window import MayLeave
+from .drive.window import window as window_parts
 from .formulas import speed_ratio as speed_ratio_of
 from .inputs import ONLY, GearsInputs, Mesh
 from .layout.forces import forces
@@ -229,6 +232,17 @@ def struck(outcome: Outcome[TrainResult], gears: GearsInputs, context: RatingCon
     of_wheels = {name: replace(wheel, strikes=wheels.get(name)) for name, wheel in train.wheels.items()}
     result = replace(train, meshes=of_meshes, wheels=of_wheels, drive=drive)
     return replace(_joined(outcome, told), result=result)
+
+
+def with_window(
+    outcome: Outcome[TrainResult], gears: GearsInputs, shafts: Mapping[str, MayLeave]
+) -> Outcome[TrainResult]:
+    """The same with the window of the nominal backlash; `shafts`: what each may leave, by its name."""
+    train = outcome.solution
+    if train.drive is None:
+        return outcome
+    told, drive = window_parts(train, train.drive, shafts, lambda of: opening_remedies(Workshop(gears, train, of)))
+    return replace(_joined(outcome, told), result=replace(train, drive=drive))
 
 
 def merge(geometry: Outcome[TrainResult], rated: Outcome[RatingResult]) -> Outcome[TrainResult]:

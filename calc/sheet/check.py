@@ -15,6 +15,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal
 
+from .deferred import Later, Many
 from .record import record
 from .remedy import Remedy, sentence
 from .text import COMMA, EMPTY, SEMICOLON, SPACE, Amount, Name, Small, Text
@@ -152,13 +153,14 @@ class CheckRule:
         moved_by: tuple[str, ...] | None = None,
         missing: Missing | None = None,
         base: float = 0.0,
-        remedies: Callable[[], tuple[Remedy, ...]] | None = None,
+        remedies: Callable[[], tuple[Remedy, ...]] | Later[Remedy] | None = None,
     ) -> "Check":
         """A check from numbers in SI: value, limit and scale are turned into the shown unit here and nowhere else.
 
         `at`: the elements that the letters of the id stand for; `index`: of the mesh in its array.  `value`: None, or
         no number, keeps no limit. `scale`: what the margin is a share of where the limit is 0. `advice`: what could be
-        done beside the remedies, which are made only where it does not hold. `base`: what the value would be without
+        done beside the remedies, which are made only where it does not hold; those that take long when they are looked
+        at (`Later`). `base`: what the value would be without
         what a stretched formula adds to it.  `unit`, `value_id`, `moved_by`: where the site knows them better.
 
         A function that gives several is a generator, called `checks` or `…_checks`, and becomes a tuple where the
@@ -200,7 +202,11 @@ class CheckRule:
             at_worst=end(missing.worst) if missing is not None else None,
             base=shown(base) if base else 0.0,
         )
-        ways = () if remedies is None or this_check.holds else remedies()
+        if remedies is None or this_check.holds:
+            return this_check
+        if isinstance(remedies, Later):
+            return this_check.but(remedies=remedies)
+        ways = remedies()
         if not ways:
             return this_check
         repaired = this_check.but(remedies=ways)
@@ -246,8 +252,9 @@ class Check:
 
     `missing`, `taken`, `at_best`, `at_worst`: what is not given, as of `Missing`; None where nothing is missing.
     `remedies`: what would make it hold; `advice`: what to do: the remedies, in the labels and units of the fields, and
-    what is no value of a key.  `outside`: the checks of the method that are passed over and that put this one outside
-    the validity of its formula.  `accepted`: the reason that the user gave for leaving it open."""
+    what is no value of a key; without those that are made when they are looked at, which `to_do` has.  `outside`: the
+    checks of the method that are passed over and that put this one outside the validity of its formula.  `accepted`:
+    the reason that the user gave for leaving it open."""
 
     rule: CheckRule
     id: str
@@ -269,7 +276,7 @@ class Check:
     at_worst: End | None = None
     base: float = 0.0
     outside: tuple[str, ...] = ()
-    remedies: tuple[Remedy, ...] = ()
+    remedies: Many[Remedy] = ()
     accepted: str = ""
 
     def __str__(self) -> str:
@@ -390,16 +397,14 @@ class Check:
 
     def in_place(self, keys_of: Callable[[str], tuple[str, ...]]) -> "Check":
         """The same by the keys of one design: `keys_of` gives those that a key of the rule stands for there."""
-        named = (*self.moved_by, *self.missing, *(key for way in self.remedies for key, _ in way.changes))
+        made = () if isinstance(self.remedies, Later) else self.remedies
+        named = (*self.moved_by, *self.missing, *(key for way in made for key, _ in way.changes))
         if all(keys_of(key) == (key,) for key in named):
             return self
         return self.but(
             moved_by=tuple(key for each in self.moved_by for key in keys_of(each)),
             missing=tuple(key for each in self.missing for key in keys_of(each)),
-            remedies=tuple(
-                replace(way, changes=tuple((key, x) for each, x in way.changes for key in keys_of(each)))
-                for way in self.remedies
-            ),
+            remedies=_placed(self.remedies, keys_of),
         )
 
     def of_one(self, name: str, steps: Collection[str]) -> "Check":
@@ -471,7 +476,14 @@ class Check:
 
     def ways_text(self) -> Text:
         """What would make it hold, with which its advice begins; empty where nothing is known."""
-        return sentence(self.remedies, verified=self.at_worst != "none" or not self.taken)
+        return sentence(tuple(self.remedies), verified=self.at_worst != "none" or not self.taken)
+
+    @property
+    def to_do(self) -> Text:
+        """Its advice, with the remedies that are made when they are looked at."""
+        if not isinstance(self.remedies, Later):
+            return self.advice
+        return SPACE.join(filter(None, (self.ways_text(), self.advice)))
 
     def ends_text(self) -> Text:
         """How far the value goes with all that is not given."""
@@ -483,6 +495,15 @@ class Check:
         if isinstance(end, (int, float)):
             return Amount(end, self.unit)
         return Text("it can not fail") if end == "holds" else Text("nobody knows")
+
+
+def _placed(remedies: Many[Remedy], keys_of: Callable[[str], tuple[str, ...]]) -> Many[Remedy]:
+    """The same by the keys of one design, those that are not made yet as well."""
+    if isinstance(remedies, Later):
+        return Later(lambda: _placed(remedies.made, keys_of))
+    return tuple(
+        replace(way, changes=tuple((key, x) for each, x in way.changes for key in keys_of(each))) for way in remedies
+    )
 
 
 # --- checks outside the validity of their formulas

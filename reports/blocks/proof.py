@@ -367,7 +367,7 @@ def _advice(context: Context, checks: Sequence[Check]) -> str:
     """What would mend each of the checks, then what else is advised, each sentence once."""
     remedies, others = [], []
     for check in checks:
-        advice, ways = context.say(check.advice), context.say(check.ways_text())
+        advice, ways = context.say(check.to_do), context.say(check.ways_text())
         if ways and advice.startswith(ways):
             remedies.append(ways)
             advice = advice.removeprefix(ways).strip()

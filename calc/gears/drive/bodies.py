@@ -4,8 +4,10 @@
 The drag of a body is that of its journals or rolling bearings, seals, windage, churning and other losses, and what
 hangs on its shaft; mesh losses are none of it."""
 
+import cmath
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -103,9 +105,13 @@ def inertias(
 
 
 def on_line(
-    gears: GearsInputs, train: TrainResult, own: Mapping[str, KilogramMetre2], materials: Mapping[str, Material]
+    train: TrainResult,
+    own: Mapping[str, KilogramMetre2],
+    materials: Mapping[str, Material],
+    shafts: Mapping[str, ShaftBody],
 ) -> TrainOnLine:
-    """`own`: what `inertias` gives."""
+    """`own`: what `inertias` gives.  All that gravity turns is there: `counted` leaves out what is too little."""
+    on = {turn.wheel: shafts[name] for name, turn in train.shafts.items() if name in shafts}
     links, reached = train.tree.links, {train.tree.first: -1}
     r_first = _radius(train, train.tree.first)
     parent = list[int]()
@@ -145,7 +151,23 @@ def on_line(
         stiffness=tuple(stiffness),
         play={corner: tuple(plays) for corner, plays in play.items()},
         turns=turns,
+        gravity=tuple(_gravity(on.get(link.driven), r) for link, r in zip(links, radius)),
+        gravity_order=tuple(abs(on[link.driven].ratio) if link.driven in on else 0.0 for link in links),
     )
+
+
+def _gravity(shaft: ShaftBody | None, r_b: Metre) -> complex:
+    """G = U·g·sin θ/r_b, θ the angle of the unbalance from up, travelled in the shaft's own sense of rotation."""
+    if shaft is None:
+        return 0.0
+    own_sense = math.copysign(1.0, shaft.ratio)
+    return complex(-1j * cmath.exp(1j * own_sense * shaft.angle) * shaft.U * GRAVITY / r_b)
+
+
+def counted(line: TrainOnLine, drag: Array) -> TrainOnLine:
+    """The same without the gravity of shafts whose unbalance is but what rounding leaves; `drag` (B,) at idle."""
+    little = [abs(G) <= LIGHT_SHAFT * D for G, D in zip(line.gravity, drag)]
+    return replace(line, gravity=tuple(0.0 if out else G for G, out in zip(line.gravity, little)))
 
 
 def _radius(train: TrainResult, name: str) -> Metre:
@@ -154,6 +176,16 @@ def _radius(train: TrainResult, name: str) -> Metre:
         return train.wheels[name].base_diameter / 2
     stage = next(stage for stage in train.stages.values() if name in (stage.driver, stage.driven))
     return (stage.pitch_diameter_driven if stage.driven == name else stage.pitch_diameter_driver) / 2
+
+
+def plays_on_line(train: TrainResult, line: TrainOnLine) -> dict[str, tuple[Metre, ...]]:
+    """The same of a train of these links with other shifts, tips or distances."""
+    play: dict[str, list[Metre]] = {corner: [] for corner in line.play}
+    for link, r in zip(line.links, line.radius):
+        turns = _plays(train, link.key) if link.toothed else dict.fromkeys(play, 0.0)
+        for corner, phi in turns.items():
+            play[corner].append(play_on_line(phi_j=phi, r_b=r))
+    return {corner: tuple(plays) for corner, plays in play.items()}
 
 
 def _plays(train: TrainResult, key: str) -> dict[str, Radian]:

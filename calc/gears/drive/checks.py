@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from ...engine.inputs import EngineInputs
 from ...library.table_file import house_table
 from ...sheet.check import Check, CheckRule, Missing
+from ...sheet.deferred import Later
 from ...sheet.quantity import dotted
 from ...sheet.remedy import Remedy
 from ...sheet.text import Amount, Text
@@ -63,6 +64,7 @@ RATTLE = CheckRule(
     sense="<=",
     unit="mm/s",
     source=YARDSTICK,
+    cause="gears.rattle",
     value_id=dotted("gears", "drive", DriveResult.impact_speed),
     moved_by=MOVES,
     short=Text("rattle"),
@@ -74,7 +76,7 @@ RATTLE_MOST = CheckRule(
     sense="<=",
     unit="mm/s",
     source=YARDSTICK,
-    cause=RATTLE.id,
+    cause=RATTLE.cause,
     moved_by=MOVES,
 )
 STRIKE_CONTACT = CheckRule(
@@ -124,7 +126,7 @@ BACKLASH_WINDOW = CheckRule(
     sense="<=",
     unit="µm",
     source=Text("rule of this program: from below what tolerance, runout and temperature take, from above grade B"),
-    cause=RATTLE.id.replace("M", "train"),
+    cause=RATTLE.cause,
     value_id=dotted("gears", "drive", DriveResult.window_low),
     limit_id=dotted("gears", "drive", DriveResult.window_high),
 )
@@ -174,21 +176,25 @@ def rattle_checks(
     titles: Mapping[str, str],
     taken: Text,
     index: Mapping[str, int],
-    remedies: Callable[[], tuple[Remedy, ...]],
+    for_b: Later[Remedy],
+    for_a: Later[Remedy],
 ) -> Iterator[Check]:
-    """Of the mesh that strikes hardest at idle without load, at mid-tolerance and at its largest backlash."""
+    """Of the mesh that strikes hardest at idle without load, at mid-tolerance and at its largest backlash; with what
+    brings it to grade B, and to A with B at the largest backlash."""
     quiet, loud = grade_limits()
     key = max(idle, key=lambda mesh: idle[mesh].impact_speed)
     u, name = idle[key].impact_speed, Text("Strikes of {pair} at idle, no load", pair=titles[key])
     grade = Text("{name}: grade {grade}", name=name, grade=grade_letter(grade_of(u)))
     missing = lack(drive.assumed, taken, u)
-    yield RATTLE(u, loud, at=key, name=grade, missing=missing, index=index[key], remedies=remedies)
+    yield RATTLE(u, loud, at=key, name=grade, missing=missing, index=index[key], remedies=for_b)
     key = max(idle, key=lambda mesh: idle[mesh].impact_speed_most)
     most, of = idle[key].impact_speed_most, Text("Strikes of {pair} at idle, largest backlash", pair=titles[key])
     if u / quiet > most / loud:
-        yield RATTLE_MOST(u, quiet, at=key, name=Text("{name}, for grade A", name=name), index=index[key])
+        yield RATTLE_MOST(
+            u, quiet, at=key, name=Text("{name}, for grade A", name=name), index=index[key], remedies=for_a
+        )
     else:
-        yield RATTLE_MOST(most, loud, at=key, name=of, index=index[key])
+        yield RATTLE_MOST(most, loud, at=key, name=of, index=index[key], remedies=for_a)
 
 
 def strength_checks(
@@ -198,26 +204,34 @@ def strength_checks(
     titles: Mapping[str, str],
     taken: Text,
     index: Mapping[str, int],
+    stronger: Callable[[str, str], Later[Remedy]],
 ) -> Iterator[Check]:
-    """Of every mesh and wheel that is struck and has a strength class."""
+    """Of every mesh and wheel that is struck and has a strength class; `stronger`: what makes one strong enough under
+    the "low" force, or the high one at the largest backlash, "most"."""
     for key, mesh in meshes.items():
         name = Text("Safety of {pair} against pitting under strikes", pair=titles[key])
         low, most = mesh.strike_safety_contact_low, mesh.strike_safety_contact_most
         if low is not None:
             soft, missing = Text("{name}, low force", name=name), lack(drive.assumed, taken, low)
-            yield STRIKE_CONTACT(low, S_H_LEAST, at=key, name=soft, missing=missing, index=index[key])
+            ways = stronger(key, "low")
+            yield STRIKE_CONTACT(low, S_H_LEAST, at=key, name=soft, missing=missing, index=index[key], remedies=ways)
         if most is not None:
             hard, missing = Text("{name}, high force", name=name), lack(drive.assumed, taken, most)
-            yield STRIKE_CONTACT_MOST(most, S_H_LEAST, at=key, name=hard, missing=missing, index=index[key])
+            ways = stronger(key, "most")
+            yield STRIKE_CONTACT_MOST(
+                most, S_H_LEAST, at=key, name=hard, missing=missing, index=index[key], remedies=ways
+            )
     for of, wheel in wheels.items():
         name = Text("Safety of {wheel} against tooth breakage under strikes", wheel=of)
         low, most = wheel.strike_safety_bending_low, wheel.strike_safety_bending_most
         if low is not None:
             soft, missing = Text("{name}, low force", name=name), lack(drive.assumed, taken, low)
-            yield STRIKE_BENDING(low, S_F_LEAST, at=of, name=soft, missing=missing)
+            ways = stronger(of, "low")
+            yield STRIKE_BENDING(low, S_F_LEAST, at=of, name=soft, missing=missing, remedies=ways)
         if most is not None:
             hard, missing = Text("{name}, high force", name=name), lack(drive.assumed, taken, most)
-            yield STRIKE_BENDING_MOST(most, S_F_LEAST, at=of, name=hard, missing=missing)
+            ways = stronger(of, "most")
+            yield STRIKE_BENDING_MOST(most, S_F_LEAST, at=of, name=hard, missing=missing, remedies=ways)
 
 
 def method_checks(drive: DriveResult, shares: Mapping[str, Number]) -> Iterator[Check]:
@@ -229,9 +243,15 @@ def method_checks(drive: DriveResult, shares: Mapping[str, Number]) -> Iterator[
     yield ASSUMED(float(not drive.assumed), 1.0)
 
 
-def window_check(drive: DriveResult, low: Metre, high: Metre, governs: Text, taken: Text) -> Check:
+def window_check(
+    drive: DriveResult, low: Metre, high: Metre, governs: Text, opens: Text, remedies: Later[Remedy]
+) -> Check:
     """Whether the window of the nominal backlash has room; both along the line of action, of one way."""
-    missing = Missing(GIVE, (taken,), "holds", low) if drive.assumed else None
     return BACKLASH_WINDOW(
-        low, high, name=Text("Least nominal backlash against the largest, {way}", way=governs), missing=missing
+        low,
+        high,
+        name=Text("Least nominal backlash against the largest, {way}", way=governs),
+        advice=opens,
+        missing=lack(drive.assumed, drive.drive.taken, low),
+        remedies=remedies,
     )

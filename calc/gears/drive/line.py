@@ -42,6 +42,8 @@ class TrainOnLine:
     stiffness: tuple[float, ...]
     play: Mapping[str, tuple[Metre, ...]]  # along the line of action: "nominal", "most", "least"
     turns: tuple[Number, ...]  # in a turn of the first driver
+    gravity: tuple[complex, ...]  # phasor of what gravity turns a body by, in N; 0 where it is not counted
+    gravity_order: tuple[Number, ...]  # on the crank
 
     def index(self, key: str) -> int:
         return next(i for i, link in enumerate(self.links) if link.key == key)
@@ -55,7 +57,10 @@ class TrainOnLine:
 
     def bodies(self, drag: Array, play: str, factor: Number = 1.0) -> Bodies:
         """As arrays; `drag` (P, B), of which `factor` is taken."""
+        of_gravity = any(self.gravity)
         return Bodies(
+            gravity=np.tile(np.array(self.gravity), (len(drag), 1)) if of_gravity else None,
+            gravity_order=np.array(self.gravity_order, dtype=float) if of_gravity else None,
             parent=self.parent,
             rho=np.array(self.rho, dtype=float),
             toothed=tuple(link.toothed for link in self.links),

@@ -22,12 +22,14 @@ from .motion import Motion
 from .spring import Spring
 from .survey import DRAWN, JUDGED, Drags, Survey, grid, survey
 
+TURN = 2 * math.pi
+
 
 class Balance(Protocol):
     """The closed balance of the friction, as far as the drive asks it."""
 
-    @property
-    def total_loss(self) -> Watt: ...
+    def sources(self, wheel: str) -> tuple[object, ...]:
+        """What the drag of a wheel stands on."""
 
     def drags(self, ratio: Array) -> dict[str, Array]:
         """The drag torque of every wheel and sprocket in N·m at `ratio` times the speeds of the balance; none where
@@ -75,7 +77,12 @@ class Source:
 
     @property
     def cycle(self) -> float:
-        return self.work.engine.strokes * math.pi
+        """That of the engine; of one given order that does not fit into it, the nearest one that it does fit into."""
+        cycle, orders = self.work.engine.strokes * math.pi, {float(row.order) for row in self.rows}
+        if len(orders) != 1:
+            return cycle
+        (order,) = orders
+        return max(1, round(cycle * order / TURN)) * TURN / order
 
     def points(self, count: int = JUDGED) -> tuple[Array, Array]:
         """Speeds from idle to rated with every load."""

@@ -38,7 +38,7 @@ ONE_FLANK = Text("dynamics: a body that is driven by one flank alone")
 
 # backlash at which a limit of the strike speed is reached: over half the swing of the first driver
 LEAST_SHARE, MOST_SHARE = 1e-4, 20.0
-SECTIONS, NARROWER = 48, 4
+SECTIONS, FEWER, NARROWER = 48, 8, 2
 
 # --- formulas
 
@@ -296,25 +296,38 @@ def quiet_backlashes(
 ) -> tuple[Metre | None, ...]:
     """The same for several speeds at once.
 
-    The first of 48 sections at whose end a limit is reached, then of that one again; to 3e-6.  The speed does not rise
-    with the backlash everywhere, so that a bisection from both ends could find a later one."""
+    The first of 48 sections at whose end a limit is reached, then twice the same of that one, and a straight line
+    through the last; to 1e-5.  The speed does not rise with the backlash everywhere, so that a bisection from both ends
+    could find a later one."""
     motion, bodies = motion.at([point]), bodies.at([point])
     of = closed(motion, bodies)
     limits, swing = np.array(u_limits), float(_swing(motion)[0] * bodies.ratio[body])
     if not of.parts[0, body] or not swing:
         return (None,) * limits.size
-    shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)[None]  # (1, sections), then of each limit its own
-    for _ in range(NARROWER):
+
+    def speeds(shares: Array) -> Array:
+        """Of the hardest strike across shares of the swing."""
         J = (shares * swing).ravel()
         _, _, u, _ = _flown(motion, bodies, of, np.zeros(J.size, int), np.full(J.size, body), J)
-        reached = u.max(-1).reshape(shares.shape) >= limits[:, None]
-        shares = np.broadcast_to(shares, reached.shape)
-        k = np.argmax(reached, 1)
-        first, each = np.maximum(k - 1, 0), np.arange(limits.size)
-        found, shares = shares[each, k], np.linspace(shares[each, first], shares[each, k], SECTIONS, axis=1)
-        never = ~reached.any(1)
-        shares = np.where(never[:, None], MOST_SHARE, shares)
-    return tuple(None if none else float(share * swing) for share, none in zip(found, never))
+        hardest: Array = u.max(-1).reshape(shares.shape)
+        return hardest
+
+    shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)[None]  # alike for all limits, then of each its own
+    u = speeds(shares)
+    reached = np.any(u >= limits[:, None], axis=1)
+    low, high, slow, fast = _first_reached(shares, u, limits)
+    for _ in range(NARROWER):
+        shares = np.linspace(low, high, FEWER, axis=1)
+        low, high, slow, fast = _first_reached(shares, speeds(shares), limits)
+    found = low + (high - low) * np.clip((limits - slow) / np.where(fast > slow, fast - slow, 1.0), 0.0, 1.0)
+    return tuple(float(share * swing) if there else None for share, there in zip(found, reached, strict=True))
+
+
+def _first_reached(shares: Array, u: Array, limits: Array) -> tuple[Array, Array, Array, Array]:
+    """The ends of the first section at whose end each limit is reached, and the speeds there."""
+    shares, u = (np.broadcast_to(each, (limits.size, u.shape[1])) for each in (shares, u))
+    k, each = np.maximum(np.argmax(u >= limits[:, None], 1), 1), np.arange(limits.size)
+    return shares[each, k - 1], shares[each, k], u[each, k - 1], u[each, k]
 
 
 # --- one lane in detail

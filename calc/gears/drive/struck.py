@@ -16,14 +16,17 @@ from ...sheet.value import about, based_on, trace
 from ..inputs import GearsInputs
 from ..rating.load import RatingContext
 from ..result import TrainResult
-from .checks import method_checks, rattle_checks, strength_checks
+from .checks import grade_limits, method_checks, rattle_checks, strength_checks
 from .notes import notes
 from .orders import error_by_load
+from .remedies import Strikes, Workshop, quiet_remedies
+from .remedies import notes as of_remedies
 from .result import HARDEST, IDLE, OPERATIONS, DriveResult, MeshAt, MeshOverSpeed, WheelStruck
 from .scissor import ScissorCase, scissor, scissor_checks
 from .spring import ScissorResult
 from .strength import StrikeRate, strike_rate
 from .strength import struck as under_strike
+from .tables import tables
 
 STRUCK = (IDLE, HARDEST)  # where the teeth are rated under their strikes
 ESTIMATES = ("low", "high", "most")
@@ -45,11 +48,18 @@ def struck(
             key: replace(mesh, scissor=springs.get(key), error_by_load=_error(train, key))
             for key, mesh in meshes.items()
         }
+    rated = replace(
+        train,
+        meshes={key: replace(mesh, over_speed=meshes.get(key)) for key, mesh in train.meshes.items()},
+        wheels={name: replace(wheel, strikes=wheels.get(name)) for name, wheel in train.wheels.items()},
+    )
+    shop = Workshop(gears, train, drive)
     told: Outcome[object] = Outcome(
         "gears",
-        checks=tuple(_checks(gears, train, drive, meshes, wheels, springs)),
+        checks=tuple(_checks(shop, meshes, wheels, springs, context)),
         lines=tuple(lines),
-        notes=Later(lambda: notes(gears, train, drive)),
+        tables=Later(lambda: tables(rated, drive)),
+        notes=Later(lambda: (*notes(gears, rated, drive), *of_remedies(shop))),
     )
     return told, meshes, wheels, drive
 
@@ -155,20 +165,24 @@ def _springs(gears: GearsInputs, context: RatingContext, drive: DriveResult) -> 
 
 
 def _checks(
-    gears: GearsInputs,
-    train: TrainResult,
-    drive: DriveResult,
+    shop: Workshop,
     meshes: Mapping[str, MeshOverSpeed],
     wheels: Mapping[str, WheelStruck],
     springs: Mapping[str, ScissorResult],
+    context: RatingContext | None,
 ) -> Iterator[Check]:
-    titles = {key: mesh.title for key, mesh in train.meshes.items()}
-    index = {mesh.key: i for i, mesh in enumerate(gears.meshes)}
+    drive = shop.drive
+    titles = {key: mesh.title for key, mesh in shop.train.meshes.items()}
+    index = {mesh.key: i for i, mesh in enumerate(shop.gears.meshes)}
     taken = drive.drive.taken
     idle = {key: mesh.operations[IDLE] for key, mesh in meshes.items() if IDLE in mesh.operations}
     if idle:
-        yield from rattle_checks(drive, idle, titles, taken, index, lambda: ())
-    yield from strength_checks(drive, meshes, wheels, titles, taken, index)
+        quiet, loud = grade_limits()
+        ways = Later(lambda: quiet_remedies(shop, loud)), Later(lambda: quiet_remedies(shop, quiet, loud))
+        yield from rattle_checks(drive, idle, titles, taken, index, *ways)
+    if context is not None:
+        under = Strikes(shop, context, lambda n: _rate(shop.train, drive, n))
+        yield from strength_checks(drive, meshes, wheels, titles, taken, index, under.remedies)
     shares = {
         key: max(mesh.operations[op].backlash_share for op in STRUCK if op in mesh.operations)
         for key, mesh in meshes.items()

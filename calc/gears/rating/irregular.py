@@ -13,11 +13,13 @@ class MeshTorques:
     and loads.
 
     `dynamic`: the largest by inertia, where the crank speeds up; `slowing`: where it slows down most, at each operating
-    point, `share` of the mean torque of the balance that is there at its speed."""
+    point, `share` of the mean torque of the balance that is there at its speed.  `at_rated`: that at rated speed and
+    full load, which alone was rated with up to version 0.2."""
 
     dynamic: NewtonMetre
     slowing: Sequence[NewtonMetre]
     share: Sequence[Number]
+    at_rated: NewtonMetre | None = None
 
 
 @record
