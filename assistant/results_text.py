@@ -28,7 +28,7 @@ from calc.sheet.version import VERSION
 from calc.solve import Results
 from calc.studies.described import not_counted
 from calc.studies.explain import Effect, effects
-from calc.studies.headlines import heads
+from calc.studies.headlines import heads, lead
 from calc.studies.ready import limits_hold
 
 # --- findings, as plain text that fits a screen
@@ -263,6 +263,8 @@ def _print_step(results: Results, outcome: Outcome[object], everything: bool) ->
     title, reason = results.design.title(outcome.key), outcome.reason
     print(f"{title}   {sign(outcome.verdict)}" + (f": {reason}" if reason else ""))
     shafts = results.design.resolved if len(results.design.shafts) > 1 and outcome.key in OF_SHAFTS else ()
+    if (words := lead(results, outcome.key)) is not None:
+        print(*_wrapped_finding(words, "  "), "", sep="\n")
     blocks: dict[str, list[Published]] = {"": [], **{f"{outcome.key}.{shaft.name}.": [] for shaft in shafts}}
     for value in outcome.values():
         blocks[next((way for way in blocks if way and value.id.startswith(way)), "")].append(value)

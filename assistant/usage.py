@@ -285,8 +285,12 @@ def export(it: argparse.ArgumentParser) -> None:
         metavar="UM",
         help="how far a tooth's straight pieces may stand off (default: 1 µm)",
     )
-    it.add_argument(
+    beside = it.add_mutually_exclusive_group()
+    beside.add_argument(
         "--transfer", action="store_true", help="the transfer functions of the mounts instead of the values (--csv)"
+    )
+    beside.add_argument(
+        "--map", action="store_true", help="the strikes of the gears over speed and load instead of the values (--csv)"
     )
     it.add_argument(
         "-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides"

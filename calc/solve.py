@@ -43,6 +43,7 @@ from .friction.checks import with_oil_level
 from .friction.result import FrictionResult
 from .gears import solve as gears
 from .gears.curves import curves
+from .gears.drive.curves import curves as drive_curves
 from .gears.inputs import GearsInputs
 from .gears.result import TrainResult
 from .gears.wheel import with_masses
@@ -511,7 +512,8 @@ def _on_engine(
     if design.gears is not None:
         g = gears.with_window(g, design.gears, h.may_leave(c, left))
     g = gears.with_speed_ratios(g, h.ratios(design), design.engine)
-    return replace(g, curves=g.curves + Later(partial(curves, g.solution)))
+    made = Later(partial(drive_curves, g.solution.drive)), Later(partial(curves, g.solution))
+    return replace(g, curves=g.curves + made[0] + made[1])
 
 
 def _mounted(

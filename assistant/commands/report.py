@@ -10,7 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from assistant.results_text import print_summary
-from assistant.session.exporting import KINDS, drawings, draws_gears, exported, gears_text, transfer_text
+from assistant.session.exporting import KINDS, drawings, draws_gears, exported, gears_text, map_text, transfer_text
 from assistant.session.saving import spare, write_asked
 from calc.design.disk import read_file
 from calc.design.limits import FRONT_BYTES
@@ -129,6 +129,8 @@ def run_export(asked: Namespace) -> int:
     results = solve(parsed)
     if asked.transfer:
         files = {target: transfer_text(document, results)}
+    elif asked.map:
+        files = {target: map_text(document, results)}
     else:
         files = _drawings(asked, document, results) if kind == "dxf" else exported(target, document, results)
     for path, text in files.items():
@@ -154,13 +156,14 @@ def _target_errors(kind: str, target: Path) -> list[InputError]:
 
 def _drawing_errors(asked: Namespace, kind: str) -> list[InputError]:
     """What is wrong with the options of a drawing."""
-    given = {"--gear": asked.gear, "--gears": asked.gears or None, "--chord-error": asked.chord_error}
+    of_drawings = {"--gear": asked.gear, "--gears": asked.gears or None, "--chord-error": asked.chord_error}
     errors = []
     if kind in KINDS and kind != "dxf":
         reason = Text("is for a drawing (--dxf), not for .{kind}", kind=kind)
-        errors = [InputError(0, key, "", reason) for key, what in given.items() if what is not None]
-    if asked.transfer and kind != "csv":
-        errors.append(InputError(0, "--transfer", "", Text("is for a table (--csv), not for .{kind}", kind=kind)))
+        errors = [InputError(0, key, "", reason) for key, what in of_drawings.items() if what is not None]
+    for key, given in (("--transfer", asked.transfer), ("--map", asked.map)):
+        if given and kind != "csv":
+            errors.append(InputError(0, key, "", Text("is for a table (--csv), not for .{kind}", kind=kind)))
     error = asked.chord_error
     if error is not None and not FINEST <= error <= COARSEST:
         reason = Text(

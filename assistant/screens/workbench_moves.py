@@ -296,6 +296,11 @@ class WorkbenchMoves(WorkbenchResults):
         if not self.curve_pane.turn_crank(by):
             self.app.tell(Text("This curve has no vectors that turn with the crank."))
 
+    def action_walk(self, by: int) -> None:
+        """To the next point of a curve that is made at many."""
+        if not self.curve_pane.walk(by):
+            self.app.tell(Text("This curve is no working cycle of a mesh."))
+
     # --- comparing and explaining
     def action_compare(self) -> None:
         """Ask what to compare with, show the comparison, and go where the user wants to."""

@@ -566,7 +566,7 @@ class WorkbenchResults(WorkbenchPanes):
         pane, results = self.curve_pane, self.session.results
         sound = self.session.valid and results is not None and all(c.verdict not in URGENT for c in results.checks())
         idle = {
-            "variant": pane.curve is None or len(pane.curve.variants) < 2,
+            "variant": pane.curve is None or (len(pane.curve.variants) < 2 and not pane.walks),
             "curve": len(pane.leaves) < 2,
             "trouble": sound,
             "fix": sound,

@@ -5,6 +5,7 @@ report."""
 import csv
 import json
 import math
+from collections.abc import Iterable, Sequence
 from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ from assistant.session.saving import Draft, write_asked
 from calc.countershaft.result import CountershaftResult
 from calc.design.model import Design
 from calc.design.toml_file import Document
+from calc.gears.drive.tables import map_rows
 from calc.gears.profile.drawing import LAYERS, train_drawing, wheel_drawing
 from calc.gears.profile.outline import CHORD_ERROR
 from calc.gears.result import TrainResult
@@ -100,9 +102,23 @@ def transfer_text(document: Document, results: Results) -> str:
     if mounting is None or not mounting.system.mounting.points:
         reason = Text("needed with [[mounting.points]] for transfer functions")
         raise BadInput(document.place, [InputError(0, "mounting", "", reason)])
+    return _csv(*transfer_rows(mounting))
+
+
+def map_text(document: Document, results: Results) -> str:
+    """What every mesh carries at 60 speeds and each load: inertia over drag, least force of closed flanks, speed, low
+    and high force and power of its strikes."""
+    train = results.train
+    if train is None or train.drive is None or not train.drive.meshes:
+        reason = Text("needed, with [engine], for the map of the drive over speed")
+        raise BadInput(document.place, [InputError(0, "gears", "", reason)])
+    return _csv(*map_rows(train.drive))
+
+
+def _csv(header: Sequence[str], numbers: Iterable[Sequence[float]]) -> str:
+    """What is not finite leaves its cell empty."""
     file = StringIO()
     writer = csv.writer(file, lineterminator="\n")
-    header, numbers = transfer_rows(mounting)
     writer.writerow(header)
     writer.writerows([f"{x:.9g}" if math.isfinite(x) else "" for x in row] for row in numbers)
     return file.getvalue()

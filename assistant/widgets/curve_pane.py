@@ -9,12 +9,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from textual import events
+from textual.actions import SkipAction
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.message import Message
 from textual.widgets import Static
 
+from calc.locale.language import in_language
 from calc.sheet.step import Curve, Table
 from calc.sheet.text import COMMA, Amount, Text
 
@@ -38,8 +40,8 @@ GAP = "  "
 class Legend:
     """Of one sight, with what is read off it if there is a cursor."""
 
-    def __init__(self, app: BaseApp, sight: Sight, reading: "Reading | None" = None) -> None:
-        self.app, self.sight, self.reading = app, sight, reading
+    def __init__(self, app: BaseApp, sight: Sight, reading: "Reading | None" = None, walks: bool = False) -> None:
+        self.app, self.sight, self.reading, self.walks = app, sight, reading, walks
 
     def rows(self, width: int, most: int) -> list[Content]:
         """At most so many rows; what matters least is left out first, with a sign where lines are missing."""
@@ -91,8 +93,15 @@ class Legend:
         return up if curve.names else self.app.say(Text("{y} over {x}", y=up, x=curve.x_label))
 
     def _state(self, keys: bool = True) -> Iterator[Content]:
-        """The variant and the crank angle, with the keys that change them."""
+        """The variant and the crank angle, with the keys that change them; those that walk."""
         sight, key, say = self.sight, self.app.shown_key, self.app.say
+        if self.walks and keys:
+            words = Text(
+                "{keys} other speeds, {key} other loads",
+                keys=f"{key('walk_back')} {key('walk_on')}",
+                key=key("variant"),
+            )
+            yield Content.styled(say(words), "dim")
         if sight.variant:
             yield Content.assemble((key("variant") + " ", "dim"), (sight.variant, "bold"))
         if sight.turns:
@@ -193,7 +202,10 @@ class CurvePane(Pane, can_focus=True):
     as long as it is."""
 
     app: BaseApp
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("space", "turn(1)", "Next curve", show=False)]
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("space", "turn(1)", "Next curve", show=False),
+        Binding("l", "other_row", "Other load", show=False),
+    ]
 
     @dataclass
     class Turned(Message):
@@ -210,6 +222,8 @@ class CurvePane(Pane, can_focus=True):
         self.step = ""
         self.variant = ""  # the name of the variant that was chosen
         self.degrees = 0  # crank angle
+        self.walked: dict[str, tuple[int, int]] = {}  # step and stack of a curve → where it was walked to
+        self._there: tuple[Curve, tuple[int, int], Curve] | None = None
         self.pending = False
         self.cursor: Cursor | None = None
         self._plot: Any = None
@@ -246,7 +260,24 @@ class CurvePane(Pane, can_focus=True):
 
     @property
     def curve(self) -> Curve | None:
-        return leaf if isinstance(leaf := self.leaf, Curve) else None
+        """The one that was chosen; one that is walked, where it was walked to."""
+        leaf = self.leaf
+        if not isinstance(leaf, Curve) or leaf.walk is None:
+            return leaf if isinstance(leaf, Curve) else None
+        at = self.walked.get(self._way(leaf), leaf.walk.here)
+        if at == leaf.walk.here or not (at[0] < leaf.walk.steps and at[1] < leaf.walk.rows):
+            return leaf
+        if self._there is None or self._there[0] is not leaf or self._there[1] != at:
+            self._there = leaf, at, in_language(leaf.walk.at(*at), self.app.say)
+        return self._there[2]
+
+    @property
+    def walks(self) -> bool:
+        """Whether it can be shown at other points."""
+        return isinstance(leaf := self.leaf, Curve) and leaf.walk is not None
+
+    def _way(self, leaf: Curve) -> str:
+        return f"{self.step}.{leaf.stack}"
 
     @property
     def sight(self) -> Sight | None:
@@ -269,13 +300,31 @@ class CurvePane(Pane, can_focus=True):
         self.draw()
 
     def next_variant(self) -> str:
-        """Show the next variant of the curve; gives its name, or nothing where there is no other."""
+        """Show the next variant of the curve, of one that is walked the next row; gives its name, or nothing where
+        there is no other."""
+        if self.walk(0, 1) and (curve := self.curve) is not None:
+            return curve.title
         sight = self.sight
         if sight is None or len(sight.curve.variants) < 2:
             return ""
         self.variant = sight.next_variant
         self.draw()
         return self.variant
+
+    def walk(self, by: int, rows: int = 0) -> bool:
+        """Show the curve at a further point, or in another row; False where it is at no other."""
+        leaf = self.leaf
+        if not isinstance(leaf, Curve) or leaf.walk is None or (rows and leaf.walk.rows < 2):
+            return False
+        walk = leaf.walk
+        step, row = self.walked.get(self._way(leaf), walk.here)
+        self.walked[self._way(leaf)] = min(max(step + by, 0), walk.steps - 1), (row + rows) % walk.rows
+        self.draw()
+        return True
+
+    def action_other_row(self) -> None:
+        if not self.walk(0, 1):
+            raise SkipAction  # the key is the screen's
 
     def turn_crank(self, by: int) -> bool:
         """Turn the vectors; False where there are none."""
@@ -353,8 +402,9 @@ class CurvePane(Pane, can_focus=True):
         leaf = self.leaf
         if not self.is_mounted or not self.display:
             return
-        drawn = (leaf, self.variant, self.degrees, self.cursor, self.size, self.app.theme, self.pending)
-        if self._drawn and leaf is self._drawn[0] and drawn[1:] == self._drawn[1:]:
+        curve = self.curve
+        drawn = (leaf, curve, self.variant, self.degrees, self.cursor, self.size, self.app.theme, self.pending)
+        if self._drawn and leaf is self._drawn[0] and curve is self._drawn[1] and drawn[2:] == self._drawn[2:]:
             return
         self._drawn = drawn
         self._arrange(isinstance(leaf, Table))
@@ -369,7 +419,7 @@ class CurvePane(Pane, can_focus=True):
             self.set_title(leaf.title, f"{count} · {all_}" if count else "")
             self.list.show(leaf)
             self._head()
-        elif leaf is None:
+        elif curve is None:
             self.set_title(
                 Text("Curve"), say(Text("is being written out …")) if self.pending else say(Text("none in this step"))
             )
@@ -380,8 +430,8 @@ class CurvePane(Pane, can_focus=True):
                 say(Text("{keys} reads it", keys=f"{key('read_back')} {key('read')}")),
                 all_ if count else "",
             )
-            self.set_title(leaf.title, " · ".join(filter(None, hints)))
-            self._legend(Sight(leaf, self.variant, self.degrees))
+            self.set_title(curve.title, " · ".join(filter(None, hints)))
+            self._legend(Sight(curve, self.variant, self.degrees))
             if self._plot is None:
                 from .plot import Plot
 
@@ -413,7 +463,7 @@ class CurvePane(Pane, can_focus=True):
         """A quarter of the height; what is read may take a row more."""
         reading = self.reading
         most = max(2, min(6, self.size.height // 4)) + (reading is not None)
-        rows = Legend(self.app, sight, reading).rows(max(10, self.size.width - 2), min(6, most))
+        rows = Legend(self.app, sight, reading, self.walks).rows(max(10, self.size.width - 2), min(6, most))
         self._write(Content("\n").join(Content.assemble(" ", row) for row in rows))
 
     def _head(self) -> None:

@@ -98,6 +98,19 @@ class DrawnLoad:
 
 
 @record
+class Walk:
+    """A curve that the session shows at other points too, made when it goes there.
+
+    `at`: the curve at one of `steps` along the way and in one of `rows`; `here`: the step and the row of the curve that
+    has the walk.  Curves of one `stack` are walked together."""
+
+    at: Callable[[int, int], "Curve"]
+    steps: int
+    rows: int
+    here: tuple[int, int]
+
+
+@record
 class Curve:
     """Data with labels and limit lines; terminal and paper draw the same object.
 
@@ -108,7 +121,7 @@ class Curve:
     `stack`: curves of one stack stand on paper over each other as one figure, along one x. `loads`: forces across it,
     which paper draws as arrows; `load_unit`: what they are in. `short`: its place among the figures of a short report,
     from 1; of those with one place the first of the step stands. `along`: what all series run along, where it is not x,
-    as of loci: its label and its value at each of their points."""
+    as of loci: its label and its value at each of their points. `walk`: the same at other points."""
 
     id: str
     title: Text
@@ -129,6 +142,7 @@ class Curve:
     loads: tuple[DrawnLoad, ...] = ()
     load_unit: str = ""
     short: int = 0
+    walk: Walk | None = None
 
     def of_one(self, name: str) -> "Curve":
         """The same as that of one of several shafts."""

@@ -2,7 +2,7 @@
 """What stands for a step, and for a whole drive: the check that decides, in a word with its limit, or what it gives."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from ..bearings.plain.result import PlainResult
 from ..countershaft.result import CountershaftResult
@@ -12,6 +12,9 @@ from ..countershaft.sums import NOTHING, SystemResult
 from ..design.model import STEPS, Design
 from ..engine.result import EngineResult
 from ..friction.result import FrictionResult
+from ..gears.drive.checks import grade_letter
+from ..gears.drive.result import HARDEST, IDLE, DriveResult, MeshOverSpeed, WheelStruck
+from ..gears.drive.tables import kilonewtons, point_words, sentence, worst
 from ..gears.rating.result import MeshStrength
 from ..gears.result import MeshResult
 from ..imbalance.orders import Order
@@ -167,6 +170,11 @@ def _backlash(results: Results) -> Text | None:
 
 
 def _gears(results: Results) -> Text | None:
+    """`rattle B 58 mm/s` where the motion of the crank is known, else the backlash."""
+    u = results.value(DriveResult.impact_speed)
+    drive = results.train.drive if results.train is not None else None
+    if drive is not None and drive.grade is not None and u is not None and not drive.assumed:
+        return Text("rattle {grade} {u}", grade=grade_letter(drive.grade), u=Amount(u.shown, u.unit, form=".0f"))
     backlash = _backlash(results)
     return Text("backlash {range}", range=backlash) if backlash is not None else None
 
@@ -203,6 +211,103 @@ GIVES: Mapping[str, Callable[[Results], Text | None]] = {
 }
 
 
+LEADS: Mapping[str, Callable[[Results], Text | None]] = {
+    "gears": lambda results: sentence(results.train) if results.train is not None else None,
+}
+
+
+def lead(results: Results, key: str) -> Text | None:
+    """The sentence with which a step begins where all of it is told; None: it has none."""
+    return LEADS[key](results) if key in LEADS else None
+
+
+# --- the teeth under their strikes
+
+
+@record
+class StruckSafety:
+    """The least safety of the teeth under their strikes, by the high and by the low estimate of the force."""
+
+    high: Published
+    low: Published
+
+    @property
+    def label(self) -> Text:
+        if self.high.symbol == "S_H":
+            return Text("Safety against pitting under strikes, high to low force")
+        return Text("Safety against tooth breakage under strikes, high to low force")
+
+    @property
+    def words(self) -> Text:
+        """`0.94 to 1.08`."""
+        return Text("{high} to {low}", high=Amount(self.high.shown, form=".2f"), low=Amount(self.low.shown, form=".2f"))
+
+
+UNDER_STRIKES = (
+    (MeshOverSpeed.strike_safety_contact, MeshOverSpeed.strike_safety_contact_low),
+    (WheelStruck.strike_safety_bending, WheelStruck.strike_safety_bending_low),
+)
+
+
+def struck_safeties(results: Results) -> dict[str, StruckSafety]:
+    """Under their symbols S_H and S_F."""
+    found = {}
+    for high_field, low_field in UNDER_STRIKES:
+        high, low = (min(results.values_of(f), key=lambda v: v.shown, default=None) for f in (high_field, low_field))
+        if high is not None and low is not None:
+            found[high.symbol] = StruckSafety(high, low)
+    return found
+
+
+def governing_safeties(results: Results) -> dict[str, StruckSafety]:
+    """Those that are less than what the torque leaves.  A motion of the crank that is assumed governs nothing: what
+    does not hold with it is not verified."""
+    train = results.train
+    if train is None or train.drive is None or train.drive.assumed:
+        return {}
+    rated = {"S_H": results.values_of(MeshStrength.safety_contact), "S_F": _roots(results)}
+    return {
+        symbol: struck
+        for symbol, struck in struck_safeties(results).items()
+        if struck.high.shown < min((v.shown for v in rated[symbol]), default=math.inf)
+    }
+
+
+def _roots(results: Results) -> list[Published]:
+    """The safeties of all wheels against breakage, under the torque."""
+    gears = results.design.gears
+    names = {f"safety_bending_{wheel.name}" for wheel in gears.wheels} if gears is not None else ()
+    return [v for id, v in results.values().items() if id.rpartition(".")[2] in names]
+
+
+def drive_row(results: Results) -> tuple[Text, Text] | None:
+    """The drive at idle and where it strikes hardest, for the first page; None where it is not known."""
+    drive = results.train.drive if results.train is not None else None
+    if drive is None or not drive.meshes:
+        return None
+    title, ops = Text("Drive at idle / hardest"), [op for op in (IDLE, HARDEST) if op in drive.at]
+    at = [worst(drive, op) for op in ops]
+    if not any(of.u for of in at):
+        return title, Text("The flanks stay closed at every speed and load.")
+    words = Text(
+        "grade {grade}; strikes of {u} mm/s at {points}; force some {force}; power about {power} W at most",
+        grade=grade_letter(drive.grade) if drive.grade is not None else "–",
+        u=_both([Text("{u}", u=Amount(of.u * 1e3, form=".0f")) for of in at]),
+        points=_both([point_words(drive, op) for op in ops]),
+        force=_both([kilonewtons(of.low, of.high) if of.high else Text("0") for of in at]),
+        power=_both([Text("{W}", W=Amount(of.power, digits=2)) for of in at]),
+    )
+    for symbol, struck in struck_safeties(results).items():
+        words = Text("{words}; {symbol} {range}", words=words, symbol=Name(symbol), range=struck.words)
+    if drive.assumed:
+        words = Text("{words}; with {taken}, an unfavourable default", words=words, taken=drive.drive.taken)
+    return title, words
+
+
+def _both(texts: Sequence[Text]) -> Text:
+    return Text("{idle} / {hardest}", idle=texts[0], hardest=texts[1]) if len(texts) > 1 else texts[0]
+
+
 # --- the whole drive
 
 
@@ -237,14 +342,16 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
         numbers.append((Text("films at the edge"), Text("{front} / {rear}", front=front, rear=rear)))
     elif edges:
         numbers.append((Text("least film at the edge"), extreme(min, edges)))
-    roots = {f"safety_bending_{wheel.name}" for wheel in design.gears.wheels} if design.gears is not None else ()
-    bending = [v for id, v in results.values().items() if id.rpartition(".")[2] in roots]
+    governing = governing_safeties(results)
+    rated = {"S_H": results.values_of(MeshStrength.safety_contact), "S_F": _roots(results)}
     numbers += [
         (Text("oil leaves with"), extreme(max, results.values_of(PlainResult.outlet_temperature))),
         (Text("backlash"), _backlash(results)),
-        (Text("S_H"), extreme(min, results.values_of(MeshStrength.safety_contact))),
-        (Text("S_F"), extreme(min, bending)),
     ]
+    for symbol, values in rated.items():
+        under = governing.get(symbol)
+        strikes = Text("{range} under strikes", range=under.words) if under is not None else None
+        numbers.append((Text(symbol), strikes or extreme(min, values)))
     if (loss := shown(FrictionResult.total_loss)) is not None:
         rpm = Amount(design.engine.rated_speed * 60, "rpm", form=".0f") if design.engine is not None else None
         numbers.append((Text("loss"), Text("{loss} at {speed}", loss=loss, speed=rpm) if rpm is not None else loss))

@@ -15,6 +15,7 @@ from calc.sheet.text import Amount, Text
 from calc.sheet.verdict import closest, findings_of, open_findings
 from calc.studies.described import described, not_counted
 from calc.studies.drawings import shafts, train
+from calc.studies.headlines import drive_row, governing_safeties
 from calc.studies.repair.nearest import nearest
 
 from ..context import Context
@@ -146,6 +147,9 @@ def summary_blocks(context: Context) -> list[Block]:
     if rows := _key_results(context):
         blocks += heading(w["key_results"], SECTION, gap=9.0, after=0.0)
         blocks += paired_table(context, "", rows)
+    if (driven := drive_row(context.original or results)) is not None:
+        title, words = (context.say(text) for text in driven)
+        blocks += table((Column(width=100.0), Column()), [(title, words)], gap=2.0, header=False)
     blocks += heading(w["steps"], SECTION, gap=9.0, after=0.0)
     blocks += _steps(context)
     blocks += paragraph(context.text("kinds", margin=Amount(THIN_MARGIN * 100, "%")), NOTE, gap=2.0)
@@ -177,17 +181,20 @@ def _object(context: Context) -> list[Block]:
 
 
 def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
-    """The results that a design is known by, each by its worst part."""
+    """The results that a design is known by, each by its worst part; the safeties of the teeth are those of the load
+    that governs, which is named beside them."""
     rows: list[tuple[str | Cell, ...]] = []
+    strikes = governing_safeties(context.results)
     for value in key_results(context.values).values():
-        name = context.say(value.label)
-        whose = " ".join(context.belongs(value.id))
+        struck = strikes.get(value.symbol)
+        name = context.say(value.label if struck is None else struck.label)
+        whose = " ".join(context.belongs(value.id if struck is None else struck.high.id))
         name = f"{name}, {whose}" if whose and not knows(name, whose) else name
         rows.append(
             (
                 name,
                 Cell(box=symbol(value.symbol, CELL.size)) if value.symbol else "",
-                context.written(value.shown, ""),
+                context.written(value.shown, "") if struck is None else context.say(struck.words),
                 value.unit,
             )
         )

@@ -33,16 +33,17 @@ from ..rating.mesh_strength import S_F_LEAST, S_H_LEAST
 from ..result import TrainResult
 from ..train import CONTRADICTION
 from ..wheel_inputs import Wheel
-from .bodies import TrainOnLine
 from .checks import DRIVEN_FROM, FLYWHEEL, grade_letter, grade_limits, grade_of
 from .inputs import DriveInputs
+from .line import TrainOnLine
 from .motion import Motion
 from .result import HARDEST, IDLE, DriveResult
 from .scissor_inputs import Scissor
-from .solve import Source
+from .source import Source
+from .spring import Spring
 from .strength import StrikeRate, struck
 from .strikes import quiet_backlashes
-from .survey import Spring, Survey, survey
+from .survey import Survey, survey
 from .window import smallest_normal
 
 HALVINGS = 10

@@ -80,7 +80,9 @@ def most_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
 
 
 @formula(
-    "W", Text("{rule}: kinetic energy that the strikes of an orbit take", rule=RULE), names={"M": "M_c", "T": "T_o"}
+    "W_u",
+    Text("{rule}: kinetic energy that the strikes of an orbit take", rule=RULE),
+    names={"M": "M_c", "T": "T_o", "u": "u_s"},
 )
 def impact_power(M: Kilogram, u: MetrePerSecond, T: Second) -> Watt:
     """`u`: the speeds of all strikes of an orbit, T its length.
@@ -91,7 +93,7 @@ def impact_power(M: Kilogram, u: MetrePerSecond, T: Second) -> Watt:
 
 
 @formula(
-    "u",
+    "u_s",
     Text("{rule}: where the backlash is small, p falls in a straight line through 0", rule=RULE),
     unit="mm/s",
     names={"jerk": "I"},
@@ -105,7 +107,7 @@ def speed_by_jerk(jerk: MetrePerSecond3, J: Metre) -> MetrePerSecond:
 
 
 @formula(
-    "u",
+    "u_s",
     "rule of this program, flanks that strike without rebound: speed across the backlash of the way, where they meet",
     shows="v(t) − v(t_0) + g·(t − t_0) where x(t) − x(t_0) − v(t_0)·(t − t_0) + g·(t − t_0)²/2 reaches a flank",
     unit="mm/s",

@@ -22,9 +22,11 @@ from .orders import error_by_load
 from .remedies import Strikes, Workshop, quiet_remedies
 from .remedies import notes as of_remedies
 from .result import HARDEST, IDLE, OPERATIONS, DriveResult, MeshAt, MeshOverSpeed, WheelStruck
-from .scissor import ScissorCase, ScissorResult, scissor, scissor_checks
+from .scissor import ScissorCase, scissor, scissor_checks
+from .spring import ScissorResult
 from .strength import StrikeRate, strike_rate
 from .strength import struck as under_strike
+from .tables import tables
 
 STRUCK = (IDLE, HARDEST)  # where the teeth are rated under their strikes
 ESTIMATES = ("low", "high", "most")
@@ -46,12 +48,18 @@ def struck(
             key: replace(mesh, scissor=springs.get(key), error_by_load=_error(train, key))
             for key, mesh in meshes.items()
         }
+    rated = replace(
+        train,
+        meshes={key: replace(mesh, over_speed=meshes.get(key)) for key, mesh in train.meshes.items()},
+        wheels={name: replace(wheel, strikes=wheels.get(name)) for name, wheel in train.wheels.items()},
+    )
     shop = Workshop(gears, train, drive)
     told: Outcome[object] = Outcome(
         "gears",
         checks=tuple(_checks(shop, meshes, wheels, springs, context)),
         lines=tuple(lines),
-        notes=Later(lambda: (*notes(gears, train, drive), *of_remedies(shop))),
+        tables=Later(lambda: tables(rated, drive)),
+        notes=Later(lambda: (*notes(gears, rated, drive), *of_remedies(shop))),
     )
     return told, meshes, wheels, drive
 

@@ -19,8 +19,8 @@ from ...sheet.text import COMMA, EMPTY, Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonMetre, Number, Radian
 from ...sheet.value import about, based_on, trace, untraced
 from ..result import TrainResult
-from .bodies import TrainOnLine
 from .checks import grade_limits, window_check
+from .line import TrainOnLine
 from .result import IDLE, DriveResult
 from .strikes import quiet_backlashes
 

@@ -449,9 +449,9 @@ def search(
     yield from (_locked(state, plan, group) for plan in every if plan.reason)
     free = [plan for plan in every if not plan.reason]
     known = set[tuple[str, ...]]()
-    for way in _computed(state, step, group, progress):
-        known.add(way.changes)
-        yield way
+    for computed in _computed(state, step, group, progress):
+        known.add(computed.changes)
+        yield computed
     for n, plan in enumerate([*free, *([None] if not group or group[0].kind == "limit" else [])]):
         if time.monotonic() > ends:
             return
@@ -470,7 +470,7 @@ def _computed(
     if not isinstance(named, Later):
         return
     trials = Trials(state, step, group, Budget(TRIES), progress, group[0].name, FARTHEST, ROUND)
-    for changes in (dict(remedy.changes) for remedy in named if remedy.changes):
+    for changes in (dict(each.changes) for each in named if each.changes):
         free = not any(locked(state.document.data, key) for key in changes)
         if free and (way := _way(trials, changes)) is not None and _worth(trials, way):
             yield way
