@@ -4,8 +4,10 @@
 import pytest
 
 from calc.design import step_inputs
+from calc.design.toml_file import design, read
 from calc.gears.rating.load import RatingContext, rating_context
-from calc.solve import Results
+from calc.solve import Results, solve
+from tests.conftest import DESIGNS
 
 
 @pytest.fixture(scope="session")
@@ -13,3 +15,9 @@ def context(gamma_results: Results) -> RatingContext:
     design = gamma_results.design
     around = step_inputs.around_gears(design, None)
     return rating_context(design.gears, gamma_results.train, design.materials, around)
+
+
+@pytest.fixture(scope="session")
+def over_speed() -> Results:
+    """The same train with gas and flywheel."""
+    return solve(design(read(DESIGNS / "r753ie4_drive_over_speed.toml")))
