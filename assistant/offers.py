@@ -23,6 +23,7 @@ from calc.engine.inputs import EngineInputs
 from calc.gears.selection import idler
 from calc.gears.selection import search as gear_search
 from calc.gears.selection import tables as gear_tables
+from calc.gears.selection.rattle import RattleOfRows
 from calc.imbalance import solve as imbalance
 from calc.imbalance.firing_orders import as_designed, crank_words, firing_orders, orders_table
 from calc.mounting import selection as mounts
@@ -279,6 +280,7 @@ def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer
     axes = shaft_axes(design)
     selection = gear_search.search(design.gears, part(progress, 0.0, 0.9), axes)
     teeth = idler.idlers(design.gears, axes, part(progress, 0.9, 1.0))
+    rattle = RattleOfRows(design.gears, solve(design).train)
     shifts, others = selection.all, [row for rows in teeth for row in idler.passed(rows)]
 
     def keys(number: int) -> Changes:
@@ -308,7 +310,7 @@ def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer
             *idler_tables,
             gear_tables.sliding_table(selection, top),
             gear_tables.first_rows(gear_tables.wants_table(selection), top),
-            gear_tables.first_rows(gear_tables.around_table(selection), top),
+            gear_tables.first_rows(gear_tables.around_table(selection, rattle), top),
             gear_tables.limits_table(selection),
             gear_tables.first_rows(gear_tables.cuts_now_table(selection), top),
             gear_tables.cuts_best_table(selection, top),
@@ -317,7 +319,7 @@ def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer
 
     return Offer(
         count=len(shifts) + len(others),
-        table=lambda top: gear_tables.choices_table(selection, top),
+        table=lambda top: gear_tables.choices_table(selection, top, rattle),
         keys=keys,
         said=said,
         hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),

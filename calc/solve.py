@@ -509,7 +509,8 @@ def _on_engine(
     """A train that is complete: what its backlash leaves of what the shafts balance, the window of that backlash,
     whether they turn as they must, and its curves."""
     g = gears.with_residuals(g, h.balanced(c))
-    g = gears.with_window(g, h.may_leave(c, left))
+    if design.gears is not None:
+        g = gears.with_window(g, design.gears, h.may_leave(c, left))
     g = gears.with_speed_ratios(g, h.ratios(design), design.engine)
     made = Later(partial(drive_curves, g.solution.drive)), Later(partial(curves, g.solution))
     return replace(g, curves=g.curves + made[0] + made[1])

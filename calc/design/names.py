@@ -222,7 +222,7 @@ CHOICE_WORDS: dict[str, str] = {
     "no": Text("no"), "vdi": "VDI", "source": Text("as the source"),
     "threaded": Text("threaded"), "cartridge": Text("cartridge"), "split": Text("split at the axis"),
     "caps": Text("caps"), "module": Text("module"),
-    "front": Text("front"), "rear": Text("rear"),
+    "front": Text("front"), "rear": Text("rear"), "flywheel": Text("flywheel"), "nose": Text("nose"),
     # oil and bearings
     "direct": Text("in the housing itself"), "bush": Text("pressed bush"), "shells": Text("half shells"),
     "as_pressed": Text("as pressed"), "finished": Text("cut after pressing"), "press": Text("its press"),

@@ -16,7 +16,7 @@ def idle_speed(engine: EngineInputs, mounting: MountingInputs | None) -> RevPerS
     if mounting is not None:
         return mounting.idle_speed
     rated, usual = engine.rated_speed, house_table("engine_motion.toml")["idle"]
-    idle: float = min(max(usual["share"] * rated, usual["from_rpm"] / 60), usual["to_rpm"] / 60, rated)
+    idle: float = min(max(usual["share"] * rated, usual["from_rpm"] / 60), usual["up_to_rpm"] / 60, rated)
     return based_on(idle, rated)
 
 

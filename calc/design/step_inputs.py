@@ -26,16 +26,18 @@ from ..countershaft.sums import SystemResult, SystemShaft
 from ..countershaft.supports import Gear, ShaftDrive, Sprocket
 from ..countershaft.twins import Resolved
 from ..engine.result import EngineResult
+from ..friction.drag import OverSpeed
 from ..friction.journals import OnShaft
 from ..friction.result import FrictionResult
 from ..friction.solve import MeshOil
-from ..gears.drive.bodies import ShaftBody
-from ..gears.drive.solve import CrankAtWork
+from ..gears.drive.line import ShaftBody
+from ..gears.drive.source import CrankAtWork
 from ..gears.drive.window import MayLeave
 from ..gears.inputs import ONLY, GearsInputs
 from ..gears.layout.formulas import angular_pitch
 from ..gears.layout.solve import ShaftInTrain
-from ..gears.rating.load import Irregular, Power, Surroundings, power_by_balance, power_by_shafts
+from ..gears.rating.irregular import Irregular
+from ..gears.rating.load import Power, Surroundings, power_by_balance, power_by_shafts
 from ..gears.result import TrainResult
 from ..gears.solve import NOT_RATED, Balanced
 from ..library.lubricant import Lubricant
@@ -493,7 +495,7 @@ def crank_at_work(
         ratio=based_on(speed / crank.rated_speed, speed, crank.rated_speed),
         front=None if end is None else end == "front",
         shafts=bodies,
-        friction=friction.result,
+        friction=OverSpeed(friction.result) if friction.result is not None else None,
     )
 
 

@@ -4,16 +4,36 @@ flanks together.
 
 Mesh losses are none of it: they vanish when the flanks part."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from ..sheet.arrays import Array
-from ..sheet.units import Watt
+from ..sheet.record import record
+from ..sheet.units import Metre, Watt
 from ..sheet.value import untraced
-from .journals import journals_at
-from .power_balance import drive, end_of, shaft_loss
+from .journals import OnShaft, journals_at
+from .power_balance import TrainDrive, drive, end_of, shaft_loss
 from .result import FrictionResult
+
+
+@record
+class OverSpeed:
+    """What a closed balance knows of other speeds and powers."""
+
+    balance: FrictionResult
+
+    def sources(self, wheel: str) -> tuple[object, ...]:
+        return drag_sources(self.balance, wheel)
+
+    def drags(self, ratio: Array) -> dict[str, Array]:
+        return drags(self.balance, ratio)
+
+    def loss_on(self, key: str, P: Watt, b: Metre) -> Watt:
+        """What a mesh loses of a power on a part of its face width, at the speed of the balance."""
+        drive: TrainDrive = self.balance.drive
+        return drive.loss_on(key, P, b)
 
 
 def drags(balance: FrictionResult, ratio: Array) -> dict[str, Array]:
@@ -22,8 +42,8 @@ def drags(balance: FrictionResult, ratio: Array) -> dict[str, Array]:
 
     The teeth load bearings as they do in the balance, by the square of the speed.  What hangs on a shaft counts; what a
     train without shafts delivers is a constant torque."""
-    d, on = balance.drive, balance.on
-    assert d is not None and on is not None  # of every balance that the step has solved
+    d: TrainDrive = balance.drive
+    on: Mapping[str, OnShaft] = balance.on
     T: Any = np.full(ratio.shape, float(d.T_oil))  # as many operating points as there are ratios
     r: Any = ratio
     with untraced(), np.errstate(all="ignore"):
@@ -50,8 +70,8 @@ def drags(balance: FrictionResult, ratio: Array) -> dict[str, Array]:
 
 def drag_sources(balance: FrictionResult, wheel: str) -> tuple[object, ...]:
     """What the drag of a wheel stands on: the bearings of its shaft and the parts of its own."""
-    d, on = balance.drive, balance.on
-    assert d is not None and on is not None  # of every balance that the step has solved
+    d: TrainDrive = balance.drive
+    on: Mapping[str, OnShaft] = balance.on
     bearings = [
         bearing.friction_power
         for name, end in d.ends.items()

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the friction step publishes, and the sums that close its balance."""
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, Any
 
 from ..countershaft.rows import IN_WORDS
 from ..sheet.formula import formula
@@ -15,10 +14,6 @@ from .losses.turning_masses import MassLoss
 from .losses.wheels import WheelResult
 from .mesh.loss import MeshCase, MeshLoss
 from .models import MODELS, Regression
-
-if TYPE_CHECKING:
-    from .journals import OnShaft
-    from .power_balance import TrainDrive
 
 KilogramPerSecond = Annotated[float, "kg/s"]
 KilogramPerJoule = Annotated[float, "kg/J"]
@@ -165,8 +160,8 @@ class FrictionResult:
     fuel: KilogramPerSecond | None = value("Fuel that the losses cost", "g/h", "m_B", short=True)
     co2: KilogramPerSecond | None = value("CO₂ that the losses cost", "g/h", "m_CO2")
     residual: Watt  # of the balance
-    drive: "TrainDrive | None" = None  # that was balanced, and the journals that it turns: for its drag at other speeds
-    on: "Mapping[str, OnShaft] | None" = None
+    drive: Any = None  # the TrainDrive that was balanced, and the shafts OnShaft that it turns, by name: see drag.py
+    on: Any = None
 
     @property
     def mass_loss(self) -> Watt | None:

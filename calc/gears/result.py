@@ -9,6 +9,7 @@ from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RevPerSecond
 from .backlash.formulas import PlayResult, TrainPlay
+from .drive.result import DriveResult, MeshOverSpeed, WheelStruck
 from .layout.result import ForcesResult, LayoutResult
 from .measures.result import MeasuresResult, Seat
 from .rating.result import MeshRating
@@ -17,7 +18,6 @@ from .tree import Tree
 
 if TYPE_CHECKING:
     from ..countershaft.sums import ToothOff
-    from .drive.result import DriveResult, MeshOverSpeed, WheelStruck
 
 
 @result
@@ -89,7 +89,7 @@ class WheelResult:
     chordal_height: Metre = value("Height above the chord", "mm", "h_c")
     measures: MeasuresResult | None = group(spread=True, default=None)
     mass: Kilogram | None = value("Mass", "kg", "m_W", default=None)
-    strikes: "WheelStruck | None" = group(spread=True, default=None)
+    strikes: WheelStruck | None = group(spread=True, default=None)
     name: str
     teeth: int
     face_width: Metre
@@ -165,7 +165,7 @@ class MeshResult:
         "Depth of the outlines inside each other, without backlash", "µm", "δ_p", default=None
     )
     rating: MeshRating | None = group(spread=True, default=None)
-    over_speed: "MeshOverSpeed | None" = group(spread=True, default=None)
+    over_speed: MeshOverSpeed | None = group(spread=True, default=None)
     driver: str
     driven: str
     face_width: Metre  # common to both
@@ -221,7 +221,7 @@ class TrainResult:
     train_play: dict[str, TrainPlay] | None = group(spread=True, default=None, named="several")  # by shaft
     layout: LayoutResult | None = group(spread=True, default=None)
     forces: ForcesResult | None = group(spread=True, default=None)
-    drive: "DriveResult | None" = group(default=None, words="drive")
+    drive: DriveResult | None = group(default=None, words="drive")
     tree: Tree
     speeds: Mapping[str, RevPerSecond]  # of wheels and sprockets, + in the sense of the first driver; empty at rest
 

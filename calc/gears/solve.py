@@ -24,6 +24,7 @@ from .backlash.formulas import residual_couple, residual_force
 from .backlash.solve import play, with_couple
 from .checks import checks as train_checks
 from .checks import no_wheel_check, speed_ratio_check
+from .drive.remedies import Workshop, opening_remedies
 from .drive.result import DriveResult
 from .drive.solve import over_speed
 from .drive.struck import struck as struck_parts
@@ -233,12 +234,14 @@ def struck(outcome: Outcome[TrainResult], gears: GearsInputs, context: RatingCon
     return replace(_joined(outcome, told), result=result)
 
 
-def with_window(outcome: Outcome[TrainResult], shafts: Mapping[str, MayLeave]) -> Outcome[TrainResult]:
+def with_window(
+    outcome: Outcome[TrainResult], gears: GearsInputs, shafts: Mapping[str, MayLeave]
+) -> Outcome[TrainResult]:
     """The same with the window of the nominal backlash; `shafts`: what each may leave, by its name."""
     train = outcome.solution
     if train.drive is None:
         return outcome
-    told, drive = window_parts(train, train.drive, shafts)
+    told, drive = window_parts(train, train.drive, shafts, lambda of: opening_remedies(Workshop(gears, train, of)))
     return replace(_joined(outcome, told), result=replace(train, drive=drive))
 
 

@@ -252,8 +252,9 @@ class Check:
 
     `missing`, `taken`, `at_best`, `at_worst`: what is not given, as of `Missing`; None where nothing is missing.
     `remedies`: what would make it hold; `advice`: what to do: the remedies, in the labels and units of the fields, and
-    what is no value of a key; without those that are made when they are looked at, which `to_do` has.  `outside`: the checks of the method that are passed over and that put this one outside
-    the validity of its formula.  `accepted`: the reason that the user gave for leaving it open."""
+    what is no value of a key; without those that are made when they are looked at, which `to_do` has.  `outside`: the
+    checks of the method that are passed over and that put this one outside the validity of its formula.  `accepted`:
+    the reason that the user gave for leaving it open."""
 
     rule: CheckRule
     id: str

@@ -15,6 +15,7 @@ from ..design.addresses import Table, as_list, as_table
 from ..design.key_results import is_least, judged, key_results
 from ..design.model import STEPS, Design, step_of
 from ..design.unusual import told, unusual
+from ..gears.drive.result import IDLE
 from ..sheet.check import ORDER, Check
 from ..sheet.quantity import Published, Quantity, described, dotted, keys
 from ..sheet.step import OF_SHAFTS
@@ -340,6 +341,7 @@ class Comparison:
     whole: tuple[str, str] = ("pass", "pass")  # the state of each design
     unaccepted: tuple[str, str] = ("pass", "pass")  # its state if nothing were accepted
     words: tuple[Text, Text] = (EMPTY, EMPTY)  # its state and what is open
+    strikes: tuple[float, float] | None = None  # at idle, the largest force of the teeth in N, of one engine twice
 
     @property
     def equal(self) -> bool:
@@ -388,7 +390,28 @@ def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same
         (results_a.verdict, results_b.verdict),
         (_unaccepted(results_a), _unaccepted(results_b)),
         (results_a.words(), results_b.words()),
+        _strikes(results_a, results_b),
     )
+
+
+def _strikes(a: "Results", b: "Results") -> tuple[float, float] | None:
+    """What the teeth of both carry when they strike hardest at idle without load, by the high estimate, in N: a
+    tendency of what is heard, of one engine only; None where it is another one, or where that is not known."""
+    forces = []
+    for results in (a, b):
+        drive = results.train.drive if results.train is not None else None
+        meshes = drive.meshes.values() if drive is not None and not drive.assumed else ()
+        at = [mesh.operations[IDLE] for mesh in meshes if IDLE in mesh.operations]
+        if not at:
+            return None
+        forces.append(max(float(mesh.impact_force) for mesh in at))
+    return (forces[0], forces[1]) if _size(a.design) == _size(b.design) else None
+
+
+def _size(design: Design) -> tuple[object, ...]:
+    """By which two engines are told apart."""
+    e = design.engine
+    return () if e is None else (e.layout, e.strokes, e.cylinders, e.bore, e.crank_radius, e.rod_length, e.rated_speed)
 
 
 # --- results

@@ -5,6 +5,7 @@ A number is written with as many digits as it takes to tell it from the other on
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from math import log10
 
 from ..design.model import STEPS
 from ..design.names import addressed, belongs, in_context
@@ -213,6 +214,7 @@ def sentences(comparison: Comparison, names: Names, sign: Sign) -> list[Text]:
         *_of_lone([d for d in comparison.checks_lone if _hard(d)], names),
         *_of_unusual(comparison.unusual, names),
         *_of_results(comparison.results),
+        *_of_strikes(comparison.strikes),
     ]
 
 
@@ -256,6 +258,23 @@ def _of_results(results: Sequence[KeyResult]) -> Iterator[Text]:
     if ways:
         counts = dict(better=ways[True], worse=ways[False], same=ways[None], share=Amount(NOTABLE * 100, "%"))
         yield Text("Key results: {better} better, {worse} worse, {same} the same within {share}.", **counts)
+
+
+def _of_strikes(strikes: tuple[float, float] | None) -> Iterator[Text]:
+    """The tendency of the rattle at idle."""
+    if strikes is None or not any(strikes):
+        return
+    if not all(strikes):
+        before, after = (Text("open and strike") if F else Text("stay closed") for F in strikes)
+        yield Text("At idle the flanks {before} → {after}.", before=before, after=after)
+        return
+    yield Text(
+        "Rattle at idle, tendency: the teeth strike with up to {before} → {after}, {level}; that is no sound level, "
+        "for no structure is known.",
+        before=Amount(strikes[0], "N", digits=3),
+        after=Amount(strikes[1], "N", digits=3),
+        level=Amount(20 * log10(strikes[1] / strikes[0]), "dB", form="+.1f"),
+    )
 
 
 def _whole(comparison: Comparison, names: Names) -> Text:

@@ -47,8 +47,10 @@ def shipped_name(path: Path) -> str:
 
 
 class _Row(TypedDict, total=False):
-    """An engine as the table has it; `design`: the file that has it instead."""
+    """An engine as the table has it; `design`: the file that has it instead; `kind`: whose usual gas and flywheel it
+    is given."""
 
+    kind: str
     what: str
     source: str
     design: str
@@ -117,7 +119,8 @@ def engine_design(
     from ..solve import solve
     from .starter.bearings import share_said
     from .starter.build import begun, built, mounting  # numpy, which a list of the engines does not need
-    from .starter.writing import written
+    from .starter.gas import usual
+    from .starter.writing import lines, written
 
     why = "" if balancing else arrangement.get("without", "")
     balancing = balancing or arrangement.get("balancing", "")
@@ -125,7 +128,12 @@ def engine_design(
         document = built(document, "imbalance", balancing)
     engine, imbalance = as_table(document.data["engine"]), as_table(document.data["imbalance"])
     title = str(document.data[NAME] if NAME in (changes or {}) else engine[NAME])
-    body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
+    there = design(document).engine
+    assert there is not None
+    with recorded(False):
+        runs = usual(there, document, row["kind"])
+    rest = f"{written(runs.gas)}\n[imbalance]\n{_lines(imbalance)}"
+    body = f"[engine]\n{_lines(engine)}{lines(runs.rows)}{rest}"
     document = parse(_text(title, "", body).encode("utf-8"), name)
     # no number of what shakes: it would stay when the engine is edited
     words = dict(what=row["what"], source=row["source"], engine=name, keys=", ".join(own))
@@ -144,7 +152,7 @@ def engine_design(
     with recorded(False):
         tables = begun(document, balancing, why, kinds)
         more = "".join(_assumed_rows(key, rows) for key, rows in tables.engine.items())
-        body = f"[engine]\n{_lines(engine)}{more}\n[imbalance]\n{_lines(imbalance)}" + tables.text
+        body = f"[engine]\n{_lines(engine)}{lines(runs.rows)}{more}{rest}{tables.text}"
         text = _text(title, note, body)
         share = share_said(solve(design(parse(text.encode("utf-8"), name)), compared=False))
         text = _text(title, Text("{note} {share}", note=note, share=share), body) if share else text

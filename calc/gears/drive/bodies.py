@@ -15,7 +15,6 @@ from ...library.catalogue import Material
 from ...sheet.arrays import Array
 from ...sheet.formula import formula
 from ...sheet.functions import pi
-from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import (
     Kilogram,
@@ -32,26 +31,11 @@ from ..backlash.formulas import play_angle_at_base
 from ..inputs import GearsInputs
 from ..rating.influence import full_stiffness, inner_diameter
 from ..result import TrainResult
-from ..tree import TrainLink
 from .inputs import DragRow
-from .motion import Bodies
+from .line import ShaftBody, TrainOnLine
 
 GRAVITY = 9.80665  # m/s²
 LIGHT_SHAFT = 0.01  # of the drag: gravity that turns a shaft by less is not counted
-
-
-@record
-class ShaftBody:
-    """A shaft as the drive sees it.
-
-    `J` on its axis, with its wheel where `with_wheel`; `U` its unbalance in kg·m, `angle` where that stands from up
-    with cylinder 1 at TDC, in the sense of the crank; `ratio` its speed over the crank's, − against it."""
-
-    J: KilogramMetre2
-    with_wheel: bool
-    U: float = 0.0
-    angle: Radian = 0.0
-    ratio: Number = 1.0
 
 
 # --- what turns
@@ -78,7 +62,7 @@ def with_body(J: KilogramMetre2, J_k: KilogramMetre2, i_k: Number) -> KilogramMe
 
 
 @formula(
-    "M", "dynamics: moment of inertia as a mass on the line of action; r_b: base radius of the wheel that is driven"
+    "M_i", "dynamics: moment of inertia as a mass on the line of action; r_b: base radius of the wheel that is driven"
 )
 def mass_on_line(J: KilogramMetre2, r_b: Metre) -> Kilogram:
     """>>> mass_on_line(J=0.00646, r_b=0.025086)
@@ -87,7 +71,7 @@ def mass_on_line(J: KilogramMetre2, r_b: Metre) -> Kilogram:
     return J / r_b**2
 
 
-@formula("D", "statics: drag torque of a wheel with its shaft as a force on the line of action")
+@formula("D_i", "statics: drag torque of a wheel with its shaft as a force on the line of action")
 def drag_on_line(T_d: NewtonMetre, r_b: Metre) -> Newton:
     return T_d / r_b
 
@@ -118,52 +102,6 @@ def inertias(
 
 
 # --- the bodies
-
-
-@record
-class TrainOnLine:
-    """The links of a train along the flow of power, each with the body that it drives, in numbers that keep their
-    links: `radius` of the base circle at its mesh, or of the sprocket."""
-
-    links: tuple[TrainLink, ...]
-    parent: tuple[int, ...]
-    rho: tuple[Number, ...]
-    radius: tuple[Metre, ...]
-    first_radius: Metre  # of the first driver
-    J: tuple[KilogramMetre2, ...]
-    mass: tuple[Kilogram, ...]
-    width: tuple[Metre, ...]
-    stiffness: tuple[float, ...]
-    play: Mapping[str, tuple[Metre, ...]]  # along the line of action: "nominal", "most", "least"
-    turns: tuple[Number, ...]  # in a turn of the first driver
-    gravity: tuple[complex, ...]  # phasor of what gravity turns a body by, in N; 0 where it is not counted
-    gravity_order: tuple[Number, ...]  # on the crank
-
-    def index(self, key: str) -> int:
-        return next(i for i, link in enumerate(self.links) if link.key == key)
-
-    def path(self, i: int) -> tuple[int, ...]:
-        """The links from the first driver to a body, its own last."""
-        way: tuple[int, ...] = ()
-        while i >= 0:
-            way, i = (i, *way), self.parent[i]
-        return way
-
-    def bodies(self, drag: Array, play: str, factor: Number = 1.0) -> Bodies:
-        """As arrays; `drag` (P, B), of which `factor` is taken."""
-        of_gravity = any(self.gravity)
-        return Bodies(
-            gravity=np.tile(np.array(self.gravity), (len(drag), 1)) if of_gravity else None,
-            gravity_order=np.array(self.gravity_order, dtype=float) if of_gravity else None,
-            parent=self.parent,
-            rho=np.array(self.rho, dtype=float),
-            toothed=tuple(link.toothed for link in self.links),
-            mass=np.array(self.mass, dtype=float),
-            drag=drag * factor,
-            backlash=np.array(self.play[play], dtype=float),
-            width=np.array(self.width, dtype=float),
-            stiffness=np.array(self.stiffness, dtype=float),
-        )
 
 
 def on_line(
@@ -238,6 +176,16 @@ def _radius(train: TrainResult, name: str) -> Metre:
         return train.wheels[name].base_diameter / 2
     stage = next(stage for stage in train.stages.values() if name in (stage.driver, stage.driven))
     return (stage.pitch_diameter_driven if stage.driven == name else stage.pitch_diameter_driver) / 2
+
+
+def plays_on_line(train: TrainResult, line: TrainOnLine) -> dict[str, tuple[Metre, ...]]:
+    """The same of a train of these links with other shifts, tips or distances."""
+    play: dict[str, list[Metre]] = {corner: [] for corner in line.play}
+    for link, r in zip(line.links, line.radius):
+        turns = _plays(train, link.key) if link.toothed else dict.fromkeys(play, 0.0)
+        for corner, phi in turns.items():
+            play[corner].append(play_on_line(phi_j=phi, r_b=r))
+    return {corner: tuple(plays) for corner, plays in play.items()}
 
 
 def _plays(train: TrainResult, key: str) -> dict[str, Radian]:

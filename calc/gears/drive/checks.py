@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator, Mapping
 from ...engine.inputs import EngineInputs
 from ...library.table_file import house_table
 from ...sheet.check import Check, CheckRule, Missing
-from ...sheet.quantity import dotted
 from ...sheet.deferred import Later
+from ...sheet.quantity import dotted
 from ...sheet.remedy import Remedy
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Number
@@ -243,7 +243,9 @@ def method_checks(drive: DriveResult, shares: Mapping[str, Number]) -> Iterator[
     yield ASSUMED(float(not drive.assumed), 1.0)
 
 
-def window_check(drive: DriveResult, low: Metre, high: Metre, governs: Text, opens: Text) -> Check:
+def window_check(
+    drive: DriveResult, low: Metre, high: Metre, governs: Text, opens: Text, remedies: Later[Remedy]
+) -> Check:
     """Whether the window of the nominal backlash has room; both along the line of action, of one way."""
     return BACKLASH_WINDOW(
         low,
@@ -251,4 +253,5 @@ def window_check(drive: DriveResult, low: Metre, high: Metre, governs: Text, ope
         name=Text("Least nominal backlash against the largest, {way}", way=governs),
         advice=opens,
         missing=lack(drive.assumed, drive.drive.taken, low),
+        remedies=remedies,
     )

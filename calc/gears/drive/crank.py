@@ -46,26 +46,31 @@ PhasorRadiansPerSecond2 = Annotated[ComplexArray, "rad/s²"]
 PhasorMetresPerSecond2 = Annotated[ComplexArray, "m/s²"]
 PhasorStiffness = Annotated[complex, "N·m"]  # in a radian
 
+OF_TWIST = {"Omega": "Ω", "k": "k_t"}
 SHOWN = 6  # orders of the acceleration, the lowest
 
 
 # --- formulas
 
 
-@formula("α_n", "dynamics, moment of momentum: the torque above its mean turns flywheel and train")
+@formula("ω'_n", "dynamics, moment of momentum: the torque above its mean turns flywheel and train")
 def acceleration(t_n: PhasorNewtonMetres, J_E: KilogramMetre2) -> PhasorRadiansPerSecond2:
     return t_n / J_E
 
 
-@formula("x''_n", "kinematics: of the first driver along the line of action, i_1 its speed over the crank's")
+@formula(
+    "x''_n",
+    "kinematics: of the first driver along the line of action, i_1 its speed over the crank's",
+    names={"alpha_n": "ω'_n"},
+)
 def along_line(alpha_n: PhasorRadiansPerSecond2, r_b1: Metre, i_1: Number) -> PhasorMetresPerSecond2:
     return r_b1 * i_1 * alpha_n
 
 
 @formula(
-    "δ",
+    "δ_s",
     "dynamics, flywheel: (ω_max − ω_min)/ω of the series, the same as ΔE/(J_E·ω²)",
-    shows="(max − min over the cycle of Σ Re{α_n·e^{inε}/(i·n)})/ω²",
+    shows="(max − min over the cycle of Σ Re{ω'_n·e^{inε}/(i·n)})/ω²",
 )
 def irregularity(alpha_n: PhasorRadiansPerSecond2, n: Numbers, omega: RadPerSecond, cycle: Radian) -> Number:
     least, most = extremes(alpha_n, n, cycle, integrals=1)
@@ -73,25 +78,29 @@ def irregularity(alpha_n: PhasorRadiansPerSecond2, n: Numbers, omega: RadPerSeco
 
 
 @formula(
-    "α_up", "mathematics: largest of the series, by a parabola through three points", shows="max Σ Re{α_n·e^{inε}}"
+    "ω'_max", "mathematics: largest of the series, by a parabola through three points", shows="max Σ Re{ω'_n·e^{inε}}"
 )
 def largest_acceleration(alpha_n: PhasorRadiansPerSecond2, n: Numbers, cycle: Radian) -> RadPerSecond2:
     return float(extremes(alpha_n, n, cycle)[1][0])
 
 
 @formula(
-    "α_down", "mathematics: smallest of the series, by a parabola through three points", shows="min Σ Re{α_n·e^{inε}}"
+    "ω'_min", "mathematics: smallest of the series, by a parabola through three points", shows="min Σ Re{ω'_n·e^{inε}}"
 )
 def smallest_acceleration(alpha_n: PhasorRadiansPerSecond2, n: Numbers, cycle: Radian) -> RadPerSecond2:
     return float(extremes(alpha_n, n, cycle)[0][0])
 
 
-@formula("α̂_n", "mathematics: amplitude of one order of the acceleration")
+@formula("ω̂'_n", "mathematics: amplitude of one order of the acceleration", names={"alpha_n": "ω'_n"})
 def amplitude(alpha_n: PhasorRadPerSecond2) -> RadPerSecond2:
     return modulus(alpha_n)
 
 
-@formula("α̂_n", "kinematics: an irregularity of one order, ω·(1 + δ/2·sin nε)")
+@formula(
+    "ω̂'_n",
+    "kinematics: an irregularity of one order n, ω·(1 + δ_s/2·sin nε)",
+    names={"delta": "δ_s", "n": "n_o"},
+)
 def of_irregularity(delta: Number, n: Number, omega: RadPerSecond) -> RadPerSecond2:
     """>>> of_irregularity(delta=0.05, n=1.5, omega=94.25)
     333.1148...
@@ -100,7 +109,7 @@ def of_irregularity(delta: Number, n: Number, omega: RadPerSecond) -> RadPerSeco
 
 
 @formula(
-    "k",
+    "k_t",
     "dynamics, two masses: twisting stiffness with its loss, from their own frequency",
     names={"f": "f_t", "zeta": "ζ_t"},
 )
@@ -109,7 +118,7 @@ def twist_stiffness(f: Hertz, J_n: KilogramMetre2, J_f: KilogramMetre2, zeta: Nu
     return power(2 * pi * f, 2) * J_n * J_f / (J_n + J_f) * (1 + 2j * zeta)
 
 
-@formula("α_n", "dynamics, two masses: of the mass on which all the torque acts", names={"Omega": "Ω"})
+@formula("ω'_n", "dynamics, two masses: of the mass on which all the torque acts", names=OF_TWIST)
 def where_it_acts(
     t_n: PhasorNewtonMetres, k: PhasorStiffness, Omega: RadiansPerSecond, J: KilogramMetre2, J_o: KilogramMetre2
 ) -> PhasorRadiansPerSecond2:
@@ -117,7 +126,9 @@ def where_it_acts(
     return -(Omega**2) * t_n * (k - Omega**2 * J_o) / ((k - Omega**2 * J) * (k - Omega**2 * J_o) - k**2)
 
 
-@formula("α_n", "dynamics, two masses: of the mass beyond the twist, where all the torque acts on the other")
+@formula(
+    "ω'_n", "dynamics, two masses: of the mass beyond the twist, where all the torque acts on the other", names=OF_TWIST
+)
 def beyond_twist(
     t_n: PhasorNewtonMetres, k: PhasorStiffness, Omega: RadiansPerSecond, J: KilogramMetre2, J_o: KilogramMetre2
 ) -> PhasorRadiansPerSecond2:

@@ -16,7 +16,7 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.value import untraced
 from .checks import grade_limits
 from .result import HARDEST, IDLE, DriveResult
-from .solve import Drive
+from .source import Drive
 from .strikes import course
 from .survey import Survey
 

@@ -35,6 +35,7 @@ from .motion import Bodies, Motion
 from .strikes import RULE, Closed, Strikes
 
 LIGHT: NewtonPerMetre = dynamic.LIGHT  # below this line load teeth are softer
+OF_MESH = {"k": "k_γ", "M": "M_i", "rho": "ρ_b"}
 PASSES = 10  # each takes the error to an eighth and less, from that of teeth that do not soften at a light load
 COUNTS_FROM = 0.05  # of the hardest strike of the orbit
 
@@ -45,7 +46,7 @@ STIFFNESS = Text(
 )
 
 
-@formula("k", STIFFNESS, unit="kN/mm", names={"c": "c_γα,100"})
+@formula("k_γ", STIFFNESS, unit="kN/mm", names={"c": "c_γα,100"})
 def stiffness_at(F: Newton, b: Metre, c: Pascal) -> NewtonPerMetre:
     """`c`: the mesh stiffness at 100 N/mm and more; a rim of another material has its factor in it.
 
@@ -54,7 +55,7 @@ def stiffness_at(F: Newton, b: Metre, c: Pascal) -> NewtonPerMetre:
     return b * c * power(smallest(1.0, F / b / LIGHT), 0.25)
 
 
-@formula("k_low", Text("{rule}: the teeth of all meshes of the path in series", rule=RULE), unit="kN/mm")
+@formula("k_low", Text("{rule}: the teeth of all meshes of the path in series", rule=RULE), unit="kN/mm", names=OF_MESH)
 def path_stiffness(k: NewtonsPerMetre, rho: Numbers) -> NewtonPerMetre:
     """`k` of each mesh of the path, `rho` the factor of speed from it to the last.
 
@@ -66,7 +67,7 @@ def path_stiffness(k: NewtonsPerMetre, rho: Numbers) -> NewtonPerMetre:
 @formula(
     "F",
     Text("{rule}: greatest force of a mass that strikes a spring and is pressed to it steadily", rule=RULE),
-    names={"M": "M_c"},
+    names={"M": "M_c", "k": "k_γ", "u": "u_s"},
 )
 def strike_force(M: Kilogram, p: MetrePerSecond2, k: NewtonPerMetre, u: MetrePerSecond) -> Newton:
     """k is that of the force itself, the point where both agree.
@@ -76,7 +77,9 @@ def strike_force(M: Kilogram, p: MetrePerSecond2, k: NewtonPerMetre, u: MetrePer
     return M * modulus(p) + sqrt((M * p) ** 2 + k * M * u**2)
 
 
-@formula("μ", Text("dynamics: mass by which two bodies strike each other; ρ takes the driver's to the mesh"))
+@formula(
+    "μ", Text("dynamics: mass by which two bodies strike each other; ρ_b takes the driver's to the mesh"), names=OF_MESH
+)
 def reduced_mass(M: Kilogram, M_driver: Kilogram, rho: Number) -> Kilogram:
     return M * M_driver / (M_driver + rho**2 * M)
 
@@ -212,6 +215,29 @@ def _hardest_of_branch(bodies: Bodies, strikes: Strikes) -> Array:
 # --- the forces of one mesh, line by line
 
 
+@record
+class AtPoint:
+    """All strikes of one operating point as forces, among which those of a mesh are sought."""
+
+    bodies: Bodies
+    of: Closed
+    strikes: Strikes
+    teeth: ToothStiffness
+    low: Array  # (on, by, E)
+    high: Array  # (mesh, by, E)
+    whip: Array  # (B,)
+    hardest: Array  # (B,) of the branch, in m/s
+
+
+def at_point(bodies: Bodies, of: Closed, strikes: Strikes, point: int = 0, factor: Array | None = None) -> AtPoint:
+    bodies, of, strikes = bodies.at([point]), of.at([point]), strikes.at([point])
+    teeth = _teeth(bodies, factor)
+    with untraced():
+        low, high = _low(bodies, of, strikes, teeth)[0], _high(bodies, of, strikes, teeth)[0]
+        whip = _whip(bodies, of, strikes, teeth)[0] * teeth.there
+        return AtPoint(bodies, of, strikes, teeth, low, high, whip, _hardest_of_branch(bodies, strikes)[0])
+
+
 def forces_of(
     bodies: Bodies,
     of: Closed,
@@ -219,17 +245,17 @@ def forces_of(
     mesh: int,
     point: int = 0,
     factor: Array | None = None,
-    sources: Sequence[object] = (),
 ) -> tuple[Newton, Newton]:
     """Low and high of one mesh, by the formulas, from the strikes that govern; all seen at this mesh.  (0, 0) where
-    nothing strikes.  `sources`: what mass, speed and press of a strike stand on."""
-    bodies, of, strikes = bodies.at([point]), of.at([point]), strikes.at([point])
-    teeth = _teeth(bodies, factor)
-    with untraced():
-        low = (bodies.lever[mesh][:, None, None] * _low(bodies, of, strikes, teeth)[0]) * teeth.there[mesh]
-        high = _high(bodies, of, strikes, teeth)[0, mesh]
-        whip = float(_whip(bodies, of, strikes, teeth)[0, mesh] * teeth.there[mesh])
-        hardest = float(_hardest_of_branch(bodies, strikes)[0, mesh])
+    nothing strikes."""
+    return forces_in(at_point(bodies, of, strikes, point, factor), mesh)
+
+
+def forces_in(at: AtPoint, mesh: int, sources: Sequence[object] = ()) -> tuple[Newton, Newton]:
+    """The same of one mesh after the other; `sources`: what mass, speed and press of a strike stand on."""
+    bodies, of, strikes, teeth = at.bodies, at.of, at.strikes, at.teeth
+    low, high = at.low * bodies.lever[mesh][:, None, None] * teeth.there[mesh], at.high[mesh]
+    whip, hardest = float(at.whip[mesh]), float(at.hardest[mesh])
     F_low = F_high = based_on(0.0, *sources)
     if (F := float(low.max())) > 0:
         on, by, event = (int(n) for n in np.unravel_index(np.argmax(low), low.shape))

@@ -3,12 +3,13 @@
 
 from collections.abc import Iterator
 
-from ...sheet.text import Amount, Text
+from ...sheet.text import COMMA, Amount, Text
 from ..inputs import GearsInputs
 from ..result import TrainResult
 from . import orders
 from .result import IDLE, DriveResult
 
+MOVED = 0.005  # share of a torque by which it is said to have moved
 REFLECTED = 0.3  # of the inertia on the crank: a train with more of it acts back
 ACCURACY = Text(
     "Forces of strikes are some low to some high, never one number: held against a chain of elastic teeth, 240 random "
@@ -25,8 +26,20 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
             "How the crank turns is not known: {taken}. Give [engine.gas] and engine.flywheel_inertia_kgm2.",
             taken=drive.drive.taken,
         )
+    elif higher := list(_higher(train, drive)):
+        # for one version, in which these numbers have moved
+        yield Text(
+            "The dynamic torque is the largest over speeds and loads; up to version 0.2 it was that at rated speed: "
+            "{meshes}.",
+            meshes=COMMA.join(higher),
+        )
     if not drive.drive.drag_known:
         yield Text("No drag is known: the flanks are held by nothing, and the ratio of inertia to drag has no value.")
+    elif gears.power is not None and work.shafts:
+        yield Text(
+            "gears.power_kW holds no flanks together here, since what takes it is not known: a pump belongs into "
+            "[[shafts.loads]], of its shaft."
+        )
     if source.J_E is not None:
         yield Text(
             "Beside flywheel and train nothing counts on the crank: its own inertia, gear and pulley are not known."
@@ -34,7 +47,7 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
         of_train = float(source.J_E) - float(work.engine.flywheel_inertia or 0.0)
         if of_train > REFLECTED * float(source.J_E):
             yield Text(
-                "The train has {share} of the inertia on the crank, whose motion, taken as given, is too even.",
+                "The train has {share} of the inertia on the crank: taken as given, its motion is too even.",
                 share=Amount(100 * of_train / float(source.J_E), "%", form=".0f"),
             )
         if source.nose and work.engine.crank_twist is None:
@@ -61,3 +74,15 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
         "Strikes are without rebound, at steady speed, of rigid bodies; oil squeezed between flanks would take speed "
         "off light wheels."
     )
+
+
+def _higher(train: TrainResult, drive: DriveResult) -> Iterator[Text]:
+    """The meshes whose dynamic torque is higher over the range than at rated speed, with both."""
+    for key, of in drive.torques.of.items():
+        if of.at_rated is not None and of.dynamic > (1 + MOVED) * of.at_rated:
+            yield Text(
+                "{pair} {now}, not {before}",
+                pair=train.tree.by_key[key].title,
+                now=Amount(of.dynamic, "N·m", form=".3g"),
+                before=Amount(of.at_rated, "N·m", form=".3g"),
+            )

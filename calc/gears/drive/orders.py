@@ -6,7 +6,7 @@ No level of sound: that is the housing's.  All meshes of one gear chain have one
 from collections.abc import Iterator, Mapping
 
 from ...sheet.formula import formula
-from ...sheet.quantity import result, value
+from ...sheet.quantity import dotted, result, value
 from ...sheet.step import Table
 from ...sheet.text import Amount, Name, Text, listed
 from ...sheet.units import Hertz, Metre, NewtonPerMetre, Number, Pascal, RevPerSecond
@@ -14,6 +14,7 @@ from ...sheet.value import about, based_on, untraced
 from ..inputs import GearsInputs
 from ..rating.result import Influence
 from ..result import MeshResult, TrainResult
+from .result import MeshOverSpeed
 
 HARMONICS = (1, 2, 3)
 
@@ -28,7 +29,12 @@ def mesh_order(z: Number, i: Number) -> Number:
     return z * i
 
 
-@formula("f_Z", "definition: a harmonic of the mesh, of so many to a turn of the crank", unit="Hz")
+@formula(
+    "f_Z",
+    "definition: a harmonic of the mesh, of so many to a turn of the crank",
+    unit="Hz",
+    names={"k": "k_Z", "o": "o_Z", "n": "n_C"},
+)
 def mesh_frequency(k: Number, o: Number, n: RevPerSecond) -> Hertz:
     """`k`: harmonic, `n`: speed of the crank.
 
@@ -109,7 +115,7 @@ def orders_table(
         ((Text("what"), ""), (Text("harmonic"), ""), (Text("order"), ""), (Text("idle"), "Hz"), (Text("rated"), "Hz")),
         rows,
         Text("Where a harmonic meets a frequency of the structure it can be heard; its level is not computed."),
-        tuple(f"gears.{key}.order" for key in found),
+        tuple(dotted("gears", key, MeshOverSpeed.order) for key in found),
     )
 
 

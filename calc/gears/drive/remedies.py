@@ -33,14 +33,17 @@ from ..rating.mesh_strength import S_F_LEAST, S_H_LEAST
 from ..result import TrainResult
 from ..train import CONTRADICTION
 from ..wheel_inputs import Wheel
-from .bodies import TrainOnLine
-from .checks import DRIVEN_FROM, FLYWHEEL, grade_letter, grade_of
+from .checks import DRIVEN_FROM, FLYWHEEL, grade_letter, grade_limits, grade_of
 from .inputs import DriveInputs
-from .result import IDLE, DriveResult
+from .line import TrainOnLine
+from .motion import Motion
+from .result import HARDEST, IDLE, DriveResult
 from .scissor_inputs import Scissor
-from .solve import Source
+from .source import Source
+from .spring import Spring
 from .strength import StrikeRate, struck
-from .survey import Spring, Survey, survey
+from .strikes import quiet_backlashes
+from .survey import Survey, survey
 from .window import smallest_normal
 
 HALVINGS = 10
@@ -89,7 +92,7 @@ class Workshop:
     def surveyed(
         self, of: Variant, points: tuple[Array, Array], torque: CrankTorque | None, corner: str = "nominal"
     ) -> Survey:
-        def moved(speeds: Array, loads: Array):  # type: ignore[no-untyped-def]  # as `survey` wants it
+        def moved(speeds: Array, loads: Array) -> Motion:
             return of.source.moved(speeds, loads, torque)
 
         with untraced():
@@ -120,14 +123,18 @@ class Workshop:
 
     @cached_property
     def parting(self) -> list[int]:
-        """The meshes that part of themselves at idle without load."""
-        return [int(i) for i in np.flatnonzero(self.drive.survey.closed.parts[self.drive.at[IDLE]])]
+        """The meshes that part of themselves at idle without load, or where that is not known at their hardest."""
+        return [int(i) for i in np.flatnonzero(self.drive.survey.closed.parts[self._point])]
+
+    @property
+    def _point(self) -> int:
+        return self.drive.at.get(IDLE, self.drive.at[HARDEST])
 
     @property
     def separation(self) -> Number:
         """Inertia over drag of the mesh in which it is largest; infinite where no drag is known."""
         of = self.drive.survey.closed
-        return float(of.separation[self.drive.at[IDLE], self.parting].max(initial=0.0))
+        return float(of.separation[self._point, self.parting].max(initial=0.0))
 
     def title(self, i: int) -> str:
         return self.train.meshes[self.now.line.links[i].key].title
@@ -142,7 +149,7 @@ class Workshop:
 
 @record
 class Quiet:
-    """Speeds of the hardest strike at idle without load: as designed, and at the largest backlash where that is asked."""
+    """Speeds of the hardest strike at idle without load: as designed, and where asked at the largest backlash."""
 
     shop: Workshop
     nominal: MetrePerSecond
@@ -166,6 +173,49 @@ class Quiet:
             grade=grade,
             letter=grade_letter(grade_of(most)),
             u=Amount(most * 1e3, "mm/s", form=".0f"),
+        )
+
+
+@record
+class Open:
+    """Room for the nominal backlash on every way: none of which is so long that it rattles before it is safe from
+    jamming."""
+
+    shop: Workshop
+
+    def ends(self, of: Variant) -> tuple[Metre, Metre]:
+        """Of the way with the least room, along the line of action; an infinite upper end where nothing strikes."""
+        shop, line = self.shop, of.line
+        at = shop.at_idle(of)
+        strikes, parts, bodies = at.strikes.orbit[0] > 0, at.closed.parts[0], at.bodies
+        least, along = (0.0, math.inf), cos(shop.train.system.base_helix_angle)
+        for i in np.flatnonzero(strikes):
+            if (strikes & bodies.before[i])[i + 1 :].any():
+                continue  # another one strikes behind it
+            low = wider = 0.0
+            for k in line.path(int(i)):
+                j, lever = float(line.play["nominal"][k]), float(bodies.lever[k, i]) * parts[k]
+                if lever:
+                    low += lever * (j - float(smallest_normal(shop.train, line.links[k].key)) / along)
+                    wider += lever * (float(line.play["most"][k]) - j)
+            with untraced():
+                quiet = quiet_backlashes(at.motion, bodies, int(i), grade_limits()[1:])[0]
+            high = math.inf if quiet is None else quiet - wider
+            least = min(least, (low, high), key=lambda ends: ends[1] - ends[0])
+        return least
+
+    def reached(self, of: Variant) -> bool:
+        low, high = self.ends(of)
+        return low <= high
+
+    def effect(self, of: Variant) -> Text:
+        low, high = self.ends(of)
+        if high == math.inf:
+            return Text("no upper end")
+        return Text(
+            "window {low} to {high}",
+            low=Amount(low * 1e6, form=".0f"),
+            high=Amount(high * 1e6, "µm", form=".0f"),
         )
 
 
@@ -249,6 +299,15 @@ def quiet_remedies(shop: Workshop, nominal: MetrePerSecond, most: MetrePerSecond
     yield from by_scissor(shop, goal)
     yield from by_other_end(shop, goal)
     yield from in_words(shop, goal)
+
+
+def opening_remedies(shop: Workshop) -> Iterator[Remedy]:
+    """What makes room from above; narrower tolerances do so from both ends."""
+    goal = Open(shop)
+    if shop.drive.window is not None and not shop.drive.window.by_phase:
+        yield from by_flywheel(shop, goal)
+        yield from by_closed_flanks(shop, goal)
+        yield from by_scissor(shop, goal)
 
 
 def strong_remedies(shop: Workshop, goal: Strong) -> Iterator[Remedy]:
@@ -357,10 +416,12 @@ def _closer(shop: Workshop, i: int) -> Metre:
     where they have none."""
     system, mesh = shop.train.system, shop.train.meshes[shop.now.line.links[i].key]
     pair = [shop.train.wheels[name] for name in (mesh.driver, mesh.driven)]
-    z, x = [wheel.teeth for wheel in pair], [float(wheel.profile_shift) + CONTRADICTION for wheel in pair]
+    z_1, z_2 = (wheel.teeth for wheel in pair)
+    x_1, x_2 = (float(wheel.profile_shift) + CONTRADICTION for wheel in pair)
+    alpha_t = system.transverse_pressure_angle
     with untraced():
-        alpha_wt = f.angle_of_involute(f.working_involute(system.transverse_pressure_angle, system.alpha_n, *x, *z))
-        a = f.centre_distance(*z, system.transverse_module, system.transverse_pressure_angle, alpha_wt)
+        involute = f.working_involute(alpha_t, system.alpha_n, x_1, x_2, z_1, z_2)
+        a = f.centre_distance(z_1, z_2, system.transverse_module, alpha_t, f.angle_of_involute(involute))
     return float(mesh.centre_distance - a)
 
 
@@ -485,8 +546,8 @@ def notes(shop: Workshop) -> Iterator[Text]:
     after = shop.at_idle(replace(shop.now, line=replace(shop.now.line, stiffness=tuple(stiffness))))
     share = float(after.impacts.high[0, i] / before.impacts.high[0, i])
     yield Text(
-        "A rim of resin ({E} on steel) in {mesh} would take the force of its strikes at idle to {share} ({level}); their "
-        "speed and the grade stay, and its strength is not verified: ISO 6336 rates no resin.",
+        "A rim of resin ({E} on steel) in {mesh} would take the force of its strikes at idle to {share} ({level}); "
+        "their speed and the grade stay, and its strength is not verified: ISO 6336 rates no resin.",
         E=Amount(RESIN * 1e-9, "GPa", form="g"),
         mesh=shop.title(i),
         share=Amount(100 * share, "%", form=".0f"),

@@ -17,11 +17,11 @@ from ...sheet.units import (
     RevPerSecond,
     Watt,
 )
-from .scissor import ScissorResult
+from .spring import ScissorResult
 
 if TYPE_CHECKING:
-    from ..rating.load import Irregular
-    from .solve import Drive
+    from ..rating.irregular import Irregular
+    from .source import Drive
     from .survey import Survey
     from .window import Window
 
@@ -54,7 +54,7 @@ class MeshAt:
     separation: Number | None = value("Inertia over drag: above 1 the flanks part", "", "Γ", default=None)
     least_force: Newton = value("Least force of closed flanks over the cycle", "N", "F_lo")
     most_force: Newton = value("Largest force of closed flanks over the cycle", "N", "F_hi")
-    impact_speed: MetrePerSecond = value("Speed of the hardest strike", "mm/s", "u")
+    impact_speed: MetrePerSecond = value("Speed of the hardest strike", "mm/s", "u_s")
     impact_force_low: Newton = value("Force of the hardest strike, low", "N", "F_u,lo")
     impact_force: Newton = value("Force of the hardest strike, high", "N", "F_u,hi")
     impact_power: Watt = value("Power lost by strikes of its body, about", "W", "W_u")
@@ -64,7 +64,7 @@ class MeshAt:
     separation_most: Number | None = value(f"Inertia over drag, {MOST}", "", "Γ", default=None)
     least_force_most: Newton = value(f"Least force of closed flanks, {MOST}", "N", "F_lo")
     most_force_most: Newton = value(f"Largest force of closed flanks, {MOST}", "N", "F_hi")
-    impact_speed_most: MetrePerSecond = value(f"Speed of the hardest strike, {MOST}", "mm/s", "u")
+    impact_speed_most: MetrePerSecond = value(f"Speed of the hardest strike, {MOST}", "mm/s", "u_s")
     impact_force_low_most: Newton = value(f"Force of the hardest strike, low, {MOST}", "N", "F_u,lo")
     impact_force_most: Newton = value(f"Force of the hardest strike, high, {MOST}", "N", "F_u,hi")
     impact_power_most: Watt = value(f"Power lost by strikes of its body, {MOST}", "W", "W_u")
@@ -126,7 +126,13 @@ class DriveResult:
     hardest_load: Number = value("Load at which the flanks strike hardest", "%", "p_u")
     impact_power: Watt = value("Power lost by strikes, about, at most", "W", "ΣW_u", short=True)
     impact_speed: MetrePerSecond | None = value(
-        "Hardest strike of the drive at idle, no load", "mm/s", "u_i", default=None, short=True, page_one=9, headline=3
+        "Hardest strike of the drive at idle, no load",
+        "mm/s",
+        "u_s,i",
+        default=None,
+        short=True,
+        page_one=9,
+        headline=3,
     )
     grade: Number | None = value("Grade of the rattle at idle: 1 A, 2 B, 3 C", "", default=None)
     backlash_quiet_a: Metre | None = value(

@@ -11,12 +11,12 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from ...engine.inputs import EngineInputs
-from ...sheet.arrays import Array, BoolArray
+from ...sheet.arrays import Array
 from ...sheet.check import Check, CheckRule
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import largest, pi
-from ...sheet.quantity import dotted, result, value
+from ...sheet.quantity import dotted
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -24,7 +24,6 @@ from ...sheet.units import (
     Metre,
     Newton,
     NewtonMetre,
-    NewtonMetrePerRadian,
     Newtons,
     Number,
     RevPerSecond,
@@ -34,21 +33,13 @@ from ...sheet.value import about, based_on, untraced
 from ..inputs import GearsInputs
 from ..rating.load import RatingContext
 from .scissor_inputs import Scissor
+from .spring import ScissorResult, split_wheel, spring_force, spring_torque
 from .strength import held
 
 USUAL_SHARE = 0.3  # of the face width, of the sprung half
 ABOVE_IDLE = 1.5
+NOTHING: Newton = 0.0
 KEY = dotted("gears", GearsInputs.meshes, "#", "scissor")
-
-
-@formula("T_S", "statics: a spring that backlash lets turn by j/r_b; slack, it turns nothing", names={"T": "T_S0"})
-def spring_torque(T: NewtonMetre, c_S: NewtonMetrePerRadian, j: Metre, r_b: Metre) -> NewtonMetre:
-    """`j`: along the line of action; `r_b`: of the split wheel.
-
-    >>> spring_torque(T=4.0, c_S=85.9437, j=122e-6, r_b=25.0859e-3)
-    3.58203...
-    """
-    return largest(T - c_S * j / r_b, 0.0)
 
 
 @formula("T_S,min", "statics: torque of the spring that outweighs the least force over the cycle", names={"F": "F_min"})
@@ -58,12 +49,7 @@ def needed_torque(F: Newton, r_b: Metre) -> NewtonMetre:
     >>> needed_torque(F=-107.2, r_b=25.0859e-3)
     2.68920...
     """
-    return largest(-F, 0.0) * r_b
-
-
-@formula("F_S", "statics: force of the spring along the line of action")
-def spring_force(T_S: NewtonMetre, r_b: Metre) -> Newton:
-    return T_S / r_b
+    return largest(-F, NOTHING) * r_b
 
 
 @formula("F_M", "statics: the main half carries the load and the spring")
@@ -115,25 +101,6 @@ def scissor_loss(P_M: Watt, P_F: Watt, P_0: Watt) -> Watt:
     return P_M + P_F - P_0
 
 
-@result
-class ScissorResult:
-    """A split wheel in its mesh; what is None is not known."""
-
-    torque_least: NewtonMetre = value("Torque of the spring at the largest backlash", "N·m", "T_S")
-    needed: NewtonMetre = value("Torque that holds the flanks closed, idle, no load", "N·m", "T_S,min")
-    needed_range: NewtonMetre = value("Torque that holds them closed up to its speed, any load", "N·m", "T_S,min")
-    opens_at: RevPerSecond | None = value("Lowest speed at which they part, any load", "rpm", "n_o", default=None)
-    loss: Watt | None = value("Power that the spring costs in the mesh, at most", "W", "P_S", default=None)
-    main_safety_contact: Number | None = value("Main half: safety against pitting", "", "S_H", default=None)
-    main_safety_bending: Number | None = value("Main half: safety against tooth breakage", "", "S_F", default=None)
-    sprung_safety_contact: Number | None = value("Sprung half: safety against pitting", "", "S_H", default=None)
-    sprung_safety_bending: Number | None = value("Sprung half: safety against tooth breakage", "", "S_F", default=None)
-    wheel: str
-    width: Metre  # of the sprung half
-    to: RevPerSecond  # of the crank, up to which it shall hold
-    torque: NewtonMetre  # at no backlash
-
-
 @record
 class ScissorCase:
     """What the drive knows of the mesh of a split wheel.  Forces are those of closed flanks."""
@@ -146,18 +113,6 @@ class ScissorCase:
     steady: Newton | None = None  # mean, at the speed of the rating
     most: Newton | None = None  # largest over the cycle, there
     lost: Callable[[Watt, Metre], Watt] | None = None  # loss of the mesh of a power and a face width, there
-
-
-def split_wheel(given: Scissor, driver: str, driven: str) -> str:
-    """The wheel of a mesh that is split."""
-    return given.wheel if given.wheel in (driver, driven) else driven
-
-
-def sprung(given: Scissor, backlash: Metre, r_b: Metre, forces: Array) -> BoolArray:
-    """Whether the spring holds the flanks closed, for least forces of any shape."""
-    with untraced():
-        T_S = spring_torque(T=given.torque, c_S=given.stiffness, j=backlash, r_b=r_b)
-        return np.asarray(spring_force(T_S=T_S, r_b=r_b) >= -forces)
 
 
 def scissor(given: Scissor, context: RatingContext, key: str, case: ScissorCase) -> ScissorResult:

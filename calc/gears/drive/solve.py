@@ -5,45 +5,42 @@
 of the strikes in place of that torque."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial, reduce
+from functools import reduce
 
 import numpy as np
 
-from ...engine.inputs import EngineInputs
-from ...engine.load import CrankTorque, crank_torque
-from ...engine.operation import GasRow
-from ...engine.result import EngineResult
-from ...friction.drag import drag_sources, drags
-from ...friction.result import FrictionResult
+from ...engine.load import CrankTorque
 from ...library.catalogue import Material
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.linked_array import item
 from ...sheet.quantity import Described, Stated
-from ...sheet.record import record
 from ...sheet.step import Outcome, finite
-from ...sheet.text import EMPTY, Amount, Text
+from ...sheet.text import Text
 from ...sheet.units import (
+    Hertzes,
     Kilogram,
     KilogramMetre2,
     Metre,
     MetrePerSecond2,
     Newton,
     NewtonMetre,
+    Newtons,
     Number,
+    RadPerSecond2,
     RevPerSecond,
     Watt,
 )
 from ...sheet.value import about, based_on, trace, untraced
 from ..inputs import GearsInputs
 from ..limits import EXTREME
-from ..rating.load import Irregular, MeshTorques
+from ..rating.irregular import Irregular, MeshTorques
 from ..result import TrainResult
 from . import strikes as s
-from .bodies import ShaftBody, TrainOnLine, counted, drag_on_line, inertias, measured, on_line, with_body
+from .bodies import counted, drag_on_line, inertias, measured, on_line, with_body
 from .checks import grade_of
 from .crank import (
     UnevenRow,
@@ -51,120 +48,95 @@ from .crank import (
     default_row,
     firing_order,
     given_accelerations,
-    given_motion,
-    motion,
     published,
 )
-from .forces import forces_of
+from .forces import AtPoint, at_point, forces_in
+from .line import TrainOnLine
 from .motion import Motion
 from .orders import mesh_order
 from .result import HARDEST, IDLE, IDLE_FULL, OPERATIONS, RATED, DriveResult, MeshAt, MeshOverSpeed, MotionAt
-from .scissor import split_wheel
-from .survey import DRAWN, FULL, JUDGED, LOADS, Drags, Spring, Survey, grid, survey
+from .source import CrankAtWork, Drive, Source
+from .spring import Spring, split_wheel
+from .survey import FULL, LOADS, Drags, Survey, survey
 
 DRAG_SPEEDS = 7
 TRACED = (IDLE, HARDEST)  # the operating points whose strikes are shown line by line
 TURN = 2 * math.pi
 
 
-@record
-class CrankAtWork:
-    """The engine as the drive sees it.
-
-    `ratio`: speed of the first driver over that of the crank; `rows`: what is said of the gas at speeds and loads;
-    `front`: whether the first wheel stands at the nose, None: not known; `shafts` by their names, those whose inertia
-    is known; `friction`: the closed balance, None: no drag is known."""
-
-    engine: EngineInputs
-    e: EngineResult
-    rows: tuple[GasRow, ...]
-    idle: RevPerSecond
-    ratio: Number
-    front: bool | None
-    shafts: Mapping[str, ShaftBody]
-    friction: FrictionResult | None
-
-
 # --- formulas
 
+REVERSAL = "rule of this program: where flanks part, straight between the speeds that are computed"
+BEHIND = {"M": "M_i", "M_2": "M_c,2", "D": "D_i", "D_2": "D_c,2", "rho": "ρ_b"}
 
-@formula("M_c", "dynamics: with what its body drives, ρ times as fast on the line of action", names={"M_2": "M_c,2"})
+
+@formula("M_c", "dynamics: with what its body drives, ρ times as fast on the line of action", names=BEHIND)
 def with_behind(M: Kilogram, M_2: Kilogram, rho: Number) -> Kilogram:
     return M + M_2 * rho**2
 
 
-@formula("D_c", "statics: with what its body drives, ρ times as fast on the line of action", names={"D_2": "D_c,2"})
+@formula("D_c", "statics: with what its body drives, ρ times as fast on the line of action", names=BEHIND)
 def drag_with_behind(D: Newton, D_2: Newton, rho: Number) -> Newton:
     return D + D_2 * rho
 
 
-@formula("a", "kinematics: acceleration of the crank along the line of action of a mesh", names={"alpha": "α"})
-def at_mesh(alpha: Number, i_1: Number, r_b1: Metre, rho: Number) -> MetrePerSecond2:
+@formula(
+    "a_F",
+    "kinematics: acceleration of the crank along the line of action of a mesh",
+    names={"alpha": "ω'", "rho": "ρ_b"},
+)
+def at_mesh(alpha: RadPerSecond2, i_1: Number, r_b1: Metre, rho: Number) -> MetrePerSecond2:
     """`i_1`: turns of the first driver in a turn of the crank, `r_b1` its base radius, `rho` from there to the mesh."""
     return alpha * i_1 * r_b1 * rho
 
 
-@formula("T_dyn", "dynamics: torque at the driver that accelerates all that its mesh drives", names={"M": "M_c"})
+@formula(
+    "T_dyn", "dynamics: torque at the driver that accelerates all that its mesh drives", names={"M": "M_c", "a": "a_F"}
+)
 def dynamic_torque(M: Kilogram, a: MetrePerSecond2, r_b: Metre, z_1: Number, z_2: Number) -> NewtonMetre:
     """`r_b` of the driven wheel."""
     return M * a * r_b * z_1 / z_2
 
 
-@formula("ΣW_u", "mathematics: sum over the bodies that strike")
+@formula(
+    "n_F,1",
+    REVERSAL,
+    unit="rpm",
+    shows="lowest speed at which F_least = 0, or where they part at idle that",
+    names={"F": "F_least"},
+)
+def first_reversal(n: Hertzes, F: Newtons) -> RevPerSecond:
+    """`n`: rising speeds of the crank (S,), `F`: least force over cycle and loads at each, below 0 at some.
+
+    >>> first_reversal(n=np.array([10.0, 20.0, 30.0]), F=np.array([30.0, -10.0, -20.0]))
+    17.5
+    """
+    i = int(np.flatnonzero(F < 0)[0])
+    return float(n[0] if i == 0 else n[i - 1] + (n[i] - n[i - 1]) * F[i - 1] / (F[i - 1] - F[i]))
+
+
+@formula(
+    "n_F,2",
+    REVERSAL,
+    unit="rpm",
+    shows="highest speed at which F_least = 0, or where they part at rated speed that",
+    names={"F": "F_least"},
+)
+def last_reversal(n: Hertzes, F: Newtons) -> RevPerSecond:
+    """The same from above.
+
+    >>> last_reversal(n=np.array([10.0, 20.0, 30.0]), F=np.array([-30.0, -10.0, 10.0]))
+    25.0
+    """
+    return -first_reversal.function(-n[::-1], F[::-1])
+
+
+@formula("ΣW_u", "mathematics: sum over the bodies that strike", names={"W": "W_u", "W_i": "W_u,i"})
 def with_power(W: Watt, W_i: Watt) -> Watt:
     return W + W_i
 
 
 # --- the motion of the crank, whatever it is known by
-
-
-@record
-class Source:
-    """Where the motion of the crank comes from: a torque on flywheel and train, or an irregularity.
-
-    `loads`: those that can be told apart, one where they are all alike; `assumed`: a default stands for it."""
-
-    work: CrankAtWork
-    gears: GearsInputs
-    J_E: KilogramMetre2 | None
-    rows: tuple[UnevenRow, ...]
-    loads: tuple[float, ...]
-    nose: bool
-    r_1: Metre
-
-    @property
-    def assumed(self) -> bool:
-        return self.J_E is None and not _said(self.gears)
-
-    @property
-    def cycle(self) -> float:
-        """That of the engine; of one given order that does not fit into it, the nearest one that it does fit into."""
-        cycle, orders = self.work.engine.strokes * math.pi, {float(row.order) for row in self.rows}
-        if len(orders) != 1:
-            return cycle
-        (order,) = orders
-        return max(1, round(cycle * order / TURN)) * TURN / order
-
-    def points(self, count: int = JUDGED) -> tuple[Array, Array]:
-        """Speeds from idle to rated with every load."""
-        return grid(float(self.work.idle), float(self.work.engine.rated_speed), self.loads, count)
-
-    def torque(self, speeds: Array, loads: Array) -> CrankTorque:
-        work = self.work
-        return crank_torque(work.engine, work.e, work.rows, speeds, loads, idle=work.idle)
-
-    def moved(self, speeds: Array, loads: Array, torque: CrankTorque | None = None) -> Motion:
-        """Of the first driver; `torque`: at these points, where it is there already."""
-        i_1 = abs(self.work.ratio)
-        if self.J_E is None:
-            return given_motion(self.rows, speeds, self.cycle, self.r_1, i_1)
-        torque = self.torque(speeds, loads) if torque is None else torque
-        return motion(torque, speeds, self.J_E, self.r_1, i_1, twist=self.work.engine.crank_twist, nose=self.nose)
-
-
-def _said(gears: GearsInputs) -> bool:
-    """Whether the design gives an irregularity."""
-    return gears.speed_irregularity is not None or bool(gears.drive is not None and gears.drive.irregularity)
 
 
 def source_of(work: CrankAtWork, gears: GearsInputs, line: TrainOnLine) -> Source:
@@ -202,7 +174,7 @@ def drags_of(work: CrankAtWork, gears: GearsInputs, line: TrainOnLine) -> Drags 
     """By the closed balance, and where it is measured by that; None where neither is known."""
     rated = float(work.engine.rated_speed)
     speeds = np.linspace(float(work.idle), rated, DRAG_SPEEDS)
-    solved = {} if work.friction is None else drags(work.friction, speeds / rated)
+    solved = {} if work.friction is None else work.friction.drags(speeds / rated)
     rows = gears.drive.drag if gears.drive is not None else ()
     known, columns = bool(solved), []
     for link, r in zip(line.links, line.radius):
@@ -222,43 +194,6 @@ def _filled(T_d: Array, speeds: Array) -> Array:
 
 
 # --- over the range
-
-
-@record
-class Drive:
-    """What `over_speed` knows: for maps, remedies and pictures, which survey it at other points."""
-
-    work: CrankAtWork
-    line: TrainOnLine
-    source: Source
-    drags: Drags
-    springs: Mapping[int, Spring]
-    drag_known: bool
-
-    def survey(self, speeds: Array, loads: Array, corner: str = "nominal") -> Survey:
-        return survey(self.source.moved, self.line, self.drags, self.springs, speeds, loads, corner)
-
-    @property
-    def taken(self) -> Text:
-        """What stands for the motion of the crank where nothing is given."""
-        row = self.source.rows[0] if self.source.rows else None
-        if row is None:
-            return EMPTY
-        return Text(
-            "an irregularity of {delta} at idle, {n}",
-            delta=Amount(row.delta * 100, "%"),
-            n=Amount(row.speed * 60, "rpm", form=".0f"),
-        )
-
-    def lost(self, key: str) -> Callable[[Watt, Metre], Watt] | None:
-        """What a mesh loses of a power by the friction of the closed balance, over a part of its face width."""
-        friction = self.work.friction
-        return None if friction is None or friction.drive is None else partial(friction.drive.loss_on, key)
-
-    def drawn(self) -> Survey:
-        """The map."""
-        with untraced():
-            return self.survey(*self.source.points(DRAWN))
 
 
 def over_speed(
@@ -381,7 +316,7 @@ def _drags(drive: Drive, p: int, judged: Survey) -> list[Newton]:
     line, of = drive.line, drive.work.friction
     D: list[Newton] = []
     for i, link in enumerate(line.links):
-        sources = () if of is None else drag_sources(of, link.driven)
+        sources = () if of is None else of.sources(link.driven)
         T_d = based_on(float(judged.bodies.drag[p, i]) * float(line.radius[i]), *sources)
         with about(Text("wheel {name}, drag", name=link.driven)):
             D.append(drag_on_line(T_d=T_d, r_b=line.radius[i]))
@@ -399,14 +334,15 @@ def _meshes(
     by_mesh: dict[str, dict[str, MeshAt]] = {link.key: {} for link in line.links if link.toothed}
     for place, (op, p) in enumerate(at.items()):
         D = _drags(drive, p, judged)
+        seen = at_point(judged.bodies, judged.closed, judged.strikes, p) if op in TRACED else None
         for i, link in enumerate(line.links):
             if link.toothed:
                 with about(Text("mesh {pair}, {op}", pair=link.title, op=OPERATIONS[op])):
-                    by_mesh[link.key][op] = _mesh_at(drive, judged, most, p, place, i, M, D, op, operations[op])
+                    by_mesh[link.key][op] = _mesh_at(drive, judged, most, p, place, i, M, D, seen, operations[op])
     spans = {}
     for i, link in enumerate(line.links):
         if link.toothed:
-            spans[link.key] = _reversal(judged, i)
+            spans[link.key] = _reversal(drive, judged, i)
     return {
         key: MeshOverSpeed(
             operations=of,
@@ -435,46 +371,47 @@ def _mesh_at(
     i: int,
     M: Sequence[Kilogram],
     D: Sequence[Newton],
-    op: str,
+    seen: AtPoint | None,
     crank: MotionAt,
 ) -> MeshAt:
-    """One mesh at a point of the survey, which is the one at `place` in that of the largest backlash."""
+    """One mesh at a point of the survey, which is the one at `place` in that of the largest backlash; `seen`: its
+    strikes, where they are shown line by line."""
     line, of, hits = drive.line, judged.closed, judged.impacts
     rho = float(judged.bodies.ratio[i])
     down = at_mesh(alpha=-crank.acceleration_down, i_1=abs(drive.work.ratio), r_b1=line.first_radius, rho=rho)
     up = at_mesh(alpha=crank.acceleration_up, i_1=abs(drive.work.ratio), r_b1=line.first_radius, rho=rho)
     Gamma = s.separation(M=M[i], a=down, D=D[i]) if D[i] > 0 else None
     least, largest = s.least_force(M=M[i], a=down, D=D[i]), s.most_force(M=M[i], a=up, D=D[i])
-    sources = (M[i], down, up, D[i], *(line.play["nominal"][k] for k in line.path(i)))
+    stands = based_on(0.0, M[i], down, up, D[i], *(line.play["nominal"][k] for k in line.path(i)))  # on these
     if judged.bodies.gravity is not None:
         least, largest = based_on(float(of.least[p, i]), least), based_on(float(of.most[p, i]), largest)
-    if op in TRACED:
-        low, high = forces_of(judged.bodies, of, judged.strikes, i, p, sources=sources)
+    if seen is not None:
+        low, high = forces_in(seen, i, (stands,))
     else:
-        low, high = based_on(float(hits.low[p, i]), *sources), based_on(float(hits.high[p, i]), *sources)
+        low, high = based_on(float(hits.low[p, i]), stands), based_on(float(hits.high[p, i]), stands)
     u = float(hits.speed[p, i])
     far, worst = most.closed, most.impacts
     return MeshAt(
         separation=Gamma,
         least_force=least,
         most_force=largest,
-        impact_speed=s.strike_speed(u=based_on(u, *sources)) if u else based_on(0.0, *sources),
+        impact_speed=s.strike_speed(u=based_on(u, stands)) if u else based_on(0.0, stands),
         impact_force_low=low,
         impact_force=high,
-        impact_power=_power(judged, p, i, sources),
-        impacts=based_on(float(hits.impacts[p, i]), *sources),
-        flanks=based_on(float(hits.flanks[p, i]), *sources),
-        backlash_share=based_on(float(hits.share[p, i]), *sources),
-        separation_most=based_on(float(far.separation[place, i]), *sources) if D[i] > 0 else None,
-        least_force_most=based_on(float(far.least[place, i]), *sources),
-        most_force_most=based_on(float(far.most[place, i]), *sources),
-        impact_speed_most=based_on(float(worst.speed[place, i]), *sources),
-        impact_force_low_most=based_on(float(worst.low[place, i]), *sources),
-        impact_force_most=based_on(float(worst.high[place, i]), *sources),
-        impact_power_most=based_on(float(worst.power[place, i]), *sources),
-        impacts_most=based_on(float(worst.impacts[place, i]), *sources),
-        flanks_most=based_on(float(worst.flanks[place, i]), *sources),
-        backlash_share_most=based_on(float(worst.share[place, i]), *sources),
+        impact_power=_power(judged, p, i, (stands,)),
+        impacts=based_on(float(hits.impacts[p, i]), stands),
+        flanks=based_on(float(hits.flanks[p, i]), stands),
+        backlash_share=based_on(float(hits.share[p, i]), stands),
+        separation_most=based_on(float(far.separation[place, i]), stands) if D[i] > 0 else None,
+        least_force_most=based_on(float(far.least[place, i]), stands),
+        most_force_most=based_on(float(far.most[place, i]), stands),
+        impact_speed_most=based_on(float(worst.speed[place, i]), stands),
+        impact_force_low_most=based_on(float(worst.low[place, i]), stands),
+        impact_force_most=based_on(float(worst.high[place, i]), stands),
+        impact_power_most=based_on(float(worst.power[place, i]), stands),
+        impacts_most=based_on(float(worst.impacts[place, i]), stands),
+        flanks_most=based_on(float(worst.flanks[place, i]), stands),
+        backlash_share_most=based_on(float(worst.share[place, i]), stands),
     )
 
 
@@ -488,20 +425,16 @@ def _power(judged: Survey, p: int, i: int, sources: Sequence[object]) -> Watt:
     return W
 
 
-def _reversal(judged: Survey, i: int) -> tuple[RevPerSecond | None, RevPerSecond | None]:
-    """Between which speeds the flanks of a mesh part at any load, linear between the speeds of the survey."""
+def _reversal(drive: Drive, judged: Survey, i: int) -> tuple[RevPerSecond | None, RevPerSecond | None]:
+    """Between which speeds the flanks of a mesh part at any load."""
     speeds = np.unique(judged.speeds)
     least = np.array([judged.closed.least[judged.speeds == n, i].min() for n in speeds])
-    parts = np.flatnonzero(least < 0)
-    if not parts.size:
+    if not np.any(least < 0):
         return None, None
-    first, last = int(parts[0]), int(parts[-1])
-    low, high = float(speeds[first]), float(speeds[last])
-    if first > 0:
-        low -= (low - speeds[first - 1]) * least[first] / (least[first] - least[first - 1])
-    if last < speeds.size - 1:
-        high += (speeds[last + 1] - high) * least[last] / (least[last] - least[last + 1])
-    return float(low), float(high)
+    n = based_on(speeds, drive.work.idle, drive.work.engine.rated_speed)
+    F = based_on(least, *(drive.line.mass[k] for k in drive.line.path(i)))
+    with about(Text("mesh {pair}, over speed and load", pair=drive.line.links[i].title)):
+        return first_reversal(n=n, F=F), last_reversal(n=n, F=F)
 
 
 def _torques(drive: Drive, judged: Survey, operations: Mapping[str, MotionAt], moved: Motion) -> Irregular:
@@ -520,10 +453,11 @@ def _torques(drive: Drive, judged: Survey, operations: Mapping[str, MotionAt], m
                 alpha=alpha, i_1=abs(drive.work.ratio), r_b1=line.first_radius, rho=float(judged.bodies.ratio[i])
             )
             dynamic = dynamic_torque(M=M[i], a=a, r_b=line.radius[i], z_1=link.z_1, z_2=link.z_2)
-        slowing = of.mass[i] * of.slowing[:, i] * float(line.radius[i]) * link.z_1 / link.z_2
+        lever = of.mass[i] * float(line.radius[i]) * link.z_1 / link.z_2
+        slowing, at_rated = lever * of.slowing[:, i], float(lever * of.speeding[rated, i])
         D = of.drag[:, i]
         share = D / D[rated] if D[rated] > 0 else np.ones(D.size)
-        torques[link.key] = MeshTorques(dynamic, slowing.tolist(), share.tolist())
+        torques[link.key] = MeshTorques(dynamic, slowing.tolist(), share.tolist(), at_rated)
     return Irregular(torques, drive.source.assumed)
 
 

@@ -36,9 +36,10 @@ def tangential_force_of(F: Newton, alpha_t: Radian) -> Newton:
 
 
 @formula(
-    "c",
+    "c_Z",
     "rule of this program: the hardest strike of each firing counts, and a tooth meets its share of them in a working "
-    "cycle; q: denominator of the turns of its wheel from firing to firing, in lowest terms",
+    "cycle; q_Z: denominator of the turns of its wheel from firing to firing, in lowest terms",
+    names={"q": "q_Z"},
 )
 def strikes_of_tooth(s: Number, q: Number, z: Number) -> Number:
     """`s`: firings of a working cycle that are alike; `z`: teeth.  The wheel stands in q places at the strikes; where
@@ -52,8 +53,8 @@ def strikes_of_tooth(s: Number, q: Number, z: Number) -> Number:
 
 @formula(
     "N_L",
-    "ISO 6336-6: strikes on one flank of one tooth over the life, c in a working cycle of i/2 turns of the crank",
-    names={"n": "n_C"},
+    "ISO 6336-6: strikes on one flank of one tooth over the life, c_Z in a working cycle of i/2 turns of the crank",
+    names={"n": "n_C", "c": "c_Z"},
 )
 def strike_cycles(n: RevPerSecond, L_h: Second, i: Number, c: Number) -> Number:
     """`i`: strokes of the working cycle.

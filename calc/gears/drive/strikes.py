@@ -38,7 +38,7 @@ ONE_FLANK = Text("dynamics: a body that is driven by one flank alone")
 
 # backlash at which a limit of the strike speed is reached: over half the swing of the first driver
 LEAST_SHARE, MOST_SHARE = 1e-4, 20.0
-SECTIONS, NARROWER = 48, (8, 8)  # and of these, of what is left, and a straight line through the last
+SECTIONS, FEWER, NARROWER = 48, 8, 2
 
 # --- formulas
 
@@ -80,7 +80,9 @@ def most_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
 
 
 @formula(
-    "W", Text("{rule}: kinetic energy that the strikes of an orbit take", rule=RULE), names={"M": "M_c", "T": "T_o"}
+    "W_u",
+    Text("{rule}: kinetic energy that the strikes of an orbit take", rule=RULE),
+    names={"M": "M_c", "T": "T_o", "u": "u_s"},
 )
 def impact_power(M: Kilogram, u: MetrePerSecond, T: Second) -> Watt:
     """`u`: the speeds of all strikes of an orbit, T its length.
@@ -91,7 +93,7 @@ def impact_power(M: Kilogram, u: MetrePerSecond, T: Second) -> Watt:
 
 
 @formula(
-    "u",
+    "u_s",
     Text("{rule}: where the backlash is small, p falls in a straight line through 0", rule=RULE),
     unit="mm/s",
     names={"jerk": "I"},
@@ -105,7 +107,7 @@ def speed_by_jerk(jerk: MetrePerSecond3, J: Metre) -> MetrePerSecond:
 
 
 @formula(
-    "u",
+    "u_s",
     "rule of this program, flanks that strike without rebound: speed across the backlash of the way, where they meet",
     shows="v(t) − v(t_0) + g·(t − t_0) where x(t) − x(t_0) − v(t_0)·(t − t_0) + g·(t − t_0)²/2 reaches a flank",
     unit="mm/s",
@@ -300,22 +302,32 @@ def quiet_backlashes(
     motion, bodies = motion.at([point]), bodies.at([point])
     of = closed(motion, bodies)
     limits, swing = np.array(u_limits), float(_swing(motion)[0] * bodies.ratio[body])
-    each = np.arange(limits.size)
     if not of.parts[0, body] or not swing:
         return (None,) * limits.size
-    shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)[None]  # (1, sections), then of each limit its own
-    for sections in (0, *NARROWER):
-        if sections:
-            shares = np.linspace(low, high, sections, axis=1)
+
+    def speeds(shares: Array) -> Array:
+        """Of the hardest strike across shares of the swing."""
         J = (shares * swing).ravel()
         _, _, u, _ = _flown(motion, bodies, of, np.zeros(J.size, int), np.full(J.size, body), J)
-        speed = np.broadcast_to(u.max(-1).reshape(shares.shape), (limits.size, shares.shape[1]))
-        reached, shares = speed >= limits[:, None], np.broadcast_to(shares, speed.shape)
-        never = ~reached.any(1) if not sections else never
-        k = np.maximum(np.argmax(reached, 1), 1)
-        low, high, slow, fast = shares[each, k - 1], shares[each, k], speed[each, k - 1], speed[each, k]
+        hardest: Array = u.max(-1).reshape(shares.shape)
+        return hardest
+
+    shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)[None]  # alike for all limits, then of each its own
+    u = speeds(shares)
+    reached = np.any(u >= limits[:, None], axis=1)
+    low, high, slow, fast = _first_reached(shares, u, limits)
+    for _ in range(NARROWER):
+        shares = np.linspace(low, high, FEWER, axis=1)
+        low, high, slow, fast = _first_reached(shares, speeds(shares), limits)
     found = low + (high - low) * np.clip((limits - slow) / np.where(fast > slow, fast - slow, 1.0), 0.0, 1.0)
-    return tuple(None if none else float(share * swing) for share, none in zip(found, never))
+    return tuple(float(share * swing) if there else None for share, there in zip(found, reached, strict=True))
+
+
+def _first_reached(shares: Array, u: Array, limits: Array) -> tuple[Array, Array, Array, Array]:
+    """The ends of the first section at whose end each limit is reached, and the speeds there."""
+    shares, u = (np.broadcast_to(each, (limits.size, u.shape[1])) for each in (shares, u))
+    k, each = np.maximum(np.argmax(u >= limits[:, None], 1), 1), np.arange(limits.size)
+    return shares[each, k - 1], shares[each, k], u[each, k - 1], u[each, k]
 
 
 # --- one lane in detail

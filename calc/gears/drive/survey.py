@@ -10,12 +10,11 @@ import numpy as np
 
 from ...sheet.arrays import Array, BoolArray
 from ...sheet.record import record
-from ...sheet.units import Metre, Number
-from .bodies import TrainOnLine
+from ...sheet.units import Number
 from .forces import Impacts, impacts
+from .line import TrainOnLine
 from .motion import Bodies, Motion
-from .scissor import sprung
-from .scissor_inputs import Scissor
+from .spring import Spring, sprung
 from .strikes import Closed, Strikes, closed, fly
 
 JUDGED, DRAWN = 12, 60  # speeds from idle to rated
@@ -33,15 +32,6 @@ class Drags:
 
     def at(self, speeds: Array) -> Array:
         return np.stack([np.interp(speeds, self.speeds, D) for D in self.of.T], axis=-1)
-
-
-@record
-class Spring:
-    """A split gear in a mesh: what its wheel's base radius and its largest running backlash are."""
-
-    given: Scissor
-    radius: Metre
-    backlash: Metre
 
 
 @record

@@ -5,20 +5,22 @@ temperature take of it, from above rattle, and what the shaft may leave of its c
 All along the transverse line of action, summed over the meshes of the way that part of themselves and referred to that
 of the body that strikes last on it.  The sum does not keep one mesh from jamming: each has its own checks."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from ...sheet.check import Check
+from ...sheet.deferred import Later
 from ...sheet.formula import formula
 from ...sheet.functions import asin, cos, smallest
 from ...sheet.record import record
+from ...sheet.remedy import Remedy
 from ...sheet.step import Outcome
 from ...sheet.text import COMMA, EMPTY, Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonMetre, Number, Radian
 from ...sheet.value import about, based_on, trace, untraced
 from ..result import TrainResult
-from .bodies import TrainOnLine
 from .checks import grade_limits, window_check
+from .line import TrainOnLine
 from .result import IDLE, DriveResult
 from .strikes import quiet_backlashes
 
@@ -190,18 +192,18 @@ def _phase(train: TrainResult, line: TrainOnLine, body: int, shafts: Mapping[str
 
 
 def window(
-    train: TrainResult, drive: DriveResult, shafts: Mapping[str, MayLeave]
+    train: TrainResult,
+    drive: DriveResult,
+    shafts: Mapping[str, MayLeave],
+    remedies: Callable[[DriveResult], Iterable[Remedy]],
 ) -> tuple[Outcome[object], DriveResult]:
-    """Lines and check, and the drive with the window of the way that has the least room."""
+    """Lines and check, and the drive with the window of the way that has the least room; `remedies`: what opens it."""
     with trace() as lines:
         ways = windows(train, drive, shafts)
     if not ways:
         return Outcome("gears"), drive
     way, checks = ways[0], tuple[Check, ...]()
-    if way.high is not None:
-        opens = what_opens_it(drive, way) if way.low > way.high else EMPTY
-        checks = (window_check(drive, way.low, way.high, governs(drive, way), opens),)
-    drive = replace(
+    with_it = replace(
         drive,
         backlash_quiet_a=way.quiet_a,
         backlash_quiet_b=way.quiet_b,
@@ -209,7 +211,11 @@ def window(
         window_high=way.high,
         window=way,
     )
-    return Outcome("gears", checks=checks, lines=tuple(lines)), drive
+    if way.high is not None:
+        opens = what_opens_it(drive, way) if way.low > way.high else EMPTY
+        later = Later(lambda: remedies(with_it))
+        checks = (window_check(drive, way.low, way.high, governs(drive, way), opens, later),)
+    return Outcome("gears", checks=checks, lines=tuple(lines)), with_it
 
 
 def governs(drive: DriveResult, way: Window) -> Text:
@@ -229,9 +235,9 @@ def what_opens_it(drive: DriveResult, way: Window) -> Text:
         for key, j in sorted(way.taken.items(), key=lambda item: -item[1])
     ]
     return Text(
-        "It is shut by {gap}: from below tolerance, runout and temperature take {parts}; from above the largest running "
-        "backlash is {widened} over the nominal one. Narrower tolerances open it from both ends; a heavier flywheel or "
-        "a scissor gear from above.",
+        "It is shut by {gap}: from below tolerance, runout and temperature take {parts}; from above the largest "
+        "running backlash is {widened} over the nominal one. Narrower tolerances open it from both ends; a heavier "
+        "flywheel or a scissor gear from above.",
         gap=Amount((way.low - way.high) * 1e6, "µm", form=".0f"),
         parts=COMMA.join(parts),
         widened=Amount(way.widened * 1e6, "µm", form=".0f"),

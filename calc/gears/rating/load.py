@@ -7,7 +7,7 @@ The crank speeds up and slows down; whatever it drives has to follow through the
 more than its friction: the flanks then leave each other and hit (rattle).  Either the peak of mean and dynamic torque
 is rated, with K_A = 1, or K_A times the mean; never both."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from ...library.catalogue import Material
 from ...library.lubricant import Lubricant
@@ -30,6 +30,7 @@ from ..result import TrainResult
 from .classes import StrengthClass, of_wheel
 from .influence import WheelOfPair as Body
 from .influence import inner_diameter
+from .irregular import Irregular, MeshTorques
 from .screening.load import OilBath, oil_bath, structural_factor
 
 USUAL = 1.25
@@ -41,27 +42,6 @@ class Power:
     """What the mean torque comes from: the power of the first driver, or that of the driver in every mesh."""
 
     of: Mapping[str, Watt] | Watt
-
-
-@record
-class MeshTorques:
-    """What the irregular motion of the crank adds at the driver of one mesh, chain or belt, over the range of speeds
-    and loads.
-
-    `dynamic`: the largest by inertia, where the crank speeds up; `slowing`: where it slows down most, at each operating
-    point, `share` of the mean torque of the balance that is there at its speed."""
-
-    dynamic: NewtonMetre
-    slowing: Sequence[NewtonMetre]
-    share: Sequence[Number]
-
-
-@record
-class Irregular:
-    """The same of all of them; `assumed`: a default stands for the motion of the crank."""
-
-    of: Mapping[str, MeshTorques]
-    assumed: bool
 
 
 @record

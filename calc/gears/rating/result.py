@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the rating of a train gives, mesh by mesh: nominal stresses, load factors, strength, the sheet of the source."""
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 from ...sheet.quantity import Stated, group, result, value
 from ...sheet.record import record
@@ -21,9 +21,6 @@ from ...sheet.units import (
 from .classes import StrengthClass
 from .screening.load import Screening
 from .strength import ContactStrength, RootStrength
-
-if TYPE_CHECKING:
-    from .load import RatingContext
 
 
 @record
@@ -175,4 +172,4 @@ class RatingResult:
 
     meshes: dict[str, MeshRating] = group(spread=True)
     least_strand_forces: dict[str, Newton]  # by chain or belt; those of which it is known
-    context: "RatingContext"
+    context: Any  # the RatingContext of load.py, which knows the train that this is a part of

@@ -13,6 +13,7 @@ from ..inputs import Mesh, mesh_key, wheel_key
 from ..wheel_inputs import Wheel
 from .free_shifts import Freedom
 from .optimum import GRID
+from .rattle import RattleOfRows
 from .search import ShiftRow, ShiftsFound
 from .states import CLEARANCE, CONTACT, FILLET, HARD_CASE, HARDENED, TIP, USUAL, Place
 
@@ -39,13 +40,13 @@ def _shifts_of(wheels: Sequence[str]) -> list[tuple[Text, str]]:
     return _columns(*(Text("x {wheel}", wheel=name) for name in wheels))
 
 
-def choices_table(result: ShiftsFound, top: int) -> Table:
-    """The design as it is, then the optimum of each way to leave shifts free."""
+def choices_table(result: ShiftsFound, top: int, rattle: RattleOfRows | None = None) -> Table:
+    """The design as it is, then the optimum of each way to leave shifts free; `rattle`: what each does at idle."""
     title = Text("No shift keeps every rule with the tips as they are")
     if result.optima:
         title = Text("Profile shifts with the least largest specific sliding")
     rows = _now(result) + _numbered(result, result.optima[:top])
-    return _rows_table(result, "shifts", title, rows, EXPLAIN)
+    return _rows_table(result, "shifts", title, rows, EXPLAIN, rattle)
 
 
 def wants_table(result: ShiftsFound) -> Table | None:
@@ -71,7 +72,7 @@ def wants_table(result: ShiftsFound) -> Table | None:
     return Table("wants", title, tuple(columns), tuple(cells))
 
 
-def around_table(result: ShiftsFound) -> Table | None:
+def around_table(result: ShiftsFound, rattle: RattleOfRows | None = None) -> Table | None:
     """Round shifts beside the optimum."""
     if not result.around:
         return None
@@ -79,7 +80,7 @@ def around_table(result: ShiftsFound) -> Table | None:
     title = Text("Round shifts of {wheel} around the optimum ({way})", wheel=leader, way=way.name)
     others = [name for name in way.free if name != leader]
     note = Text("The shift of {wheels} as in the optimum.", wheels=listed(others)) if others else EMPTY
-    return _rows_table(result, "around", title, _numbered(result, result.around), note)
+    return _rows_table(result, "around", title, _numbered(result, result.around), note, rattle)
 
 
 def first_rows(table: Table | None, top: int) -> Table | None:
@@ -100,10 +101,21 @@ def _numbered(result: ShiftsFound, rows: Sequence[ShiftRow]) -> list[tuple[str, 
     return [(result.number(row), row) for row in rows]
 
 
-def _rows_table(result: ShiftsFound, id: str, title: Text, rows: list[tuple[str, ShiftRow]], note: Text) -> Table:
+def _rows_table(
+    result: ShiftsFound,
+    id: str,
+    title: Text,
+    rows: list[tuple[str, ShiftRow]],
+    note: Text,
+    rattle: RattleOfRows | None,
+) -> Table:
     wheels = [w.name for w in result.case.gears.wheels]
     columns = [*_columns(NUMBER, WHAT), *_shifts_of(wheels), *VERDICT]
-    cells = [(n, row.name, *(_shift(row, name) for name in wheels), *_verdict(row)) for n, row in rows]
+    cells: list[Cells] = [(n, row.name, *(_shift(row, name) for name in wheels), *_verdict(row)) for n, row in rows]
+    if rattle is not None and rattle.known:
+        columns.append((Text("rattle"), ""))
+        cells = [(*cell, rattle.cell(row)) for cell, (_, row) in zip(cells, rows)]
+        note = SPACE.join(filter(None, (note, rattle.note(rows))))
     return _with_bars(Table(id, title, tuple(columns), tuple(cells), note), [row for _, row in rows])
 
 

@@ -4,11 +4,14 @@ tree: an odd number of wheels lies between crank and shaft, an even one where th
 friction.
 
 Trains and flanks are tried in the order in which they are usual; the first is taken that leaves nothing to be said of
-teeth and losses."""
+teeth and losses.  Where strikes stop one, the wheels that follow are finer, with less backlash, and wider; the first is
+taken that is not graded C at idle and keeps every limit, even if cautions of its strikes stay; else the quietest of
+those that keep every limit."""
 
 import math
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import product
 
 from ...countershaft.result import CountershaftResult
@@ -18,6 +21,7 @@ from ...friction.checks import MESH_MODELS
 from ...friction.inputs import FrictionInputs, RollingBearing
 from ...friction.result import FrictionResult
 from ...gears import formulas as g
+from ...gears.drive import checks as strikes
 from ...gears.inputs import GearsInputs, Mesh, wheel_key
 from ...gears.layout.room import CLEARANCE
 from ...gears.rating.checks import SAFETY_CONTACT, SCUFFING
@@ -48,20 +52,29 @@ ALLOWANCE = (-30, -40)  # µm: at least
 THINNER = 5  # µm: the steps in which teeth get thinner
 GRADE = 7
 TOLERANCE = 40  # µm
+FINER_GRADE, FINER_TOLERANCE = 6, 20  # of wheels whose flanks would strike too hard: less backlash is left open
 HOUSING = "EN-GJL-250"  # of the block; it expands like the wheels and the shaft
 MUCH, LEFT = 10.0, 100.0  # kW that a train without plain bearings is tried with, and W that may be left of it
 OF_FLANKS = (SCUFFING, MESH_MODELS, SAFETY_CONTACT)  # checks that finer flanks help
+OF_STRIKES = (  # those that less backlash helps, and wider wheels
+    strikes.RATTLE,
+    strikes.STRIKE_CONTACT,
+    strikes.STRIKE_CONTACT_MOST,
+    strikes.STRIKE_BENDING,
+    strikes.STRIKE_BENDING_MOST,
+)
 TRAIN = Text("a train to begin with")
 
 
 @record
 class Train:
     """One that is tried: the teeth of crank (as many on the shaft), central wheel and idler; module; face width in
-    modules."""
+    modules; whether teeth and centre distances are finer than usual."""
 
     teeth: tuple[int, int, int]
     module: Metre
     face: float
+    finer: bool = False
 
 
 def tip(teeth: int, module: Metre, helix: Radian = HELIX) -> Metre:
@@ -108,7 +121,11 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
     why: list[Text] = []
     power = None if "bearings" in document.data else MUCH
     known = {c.id for c in results.outcomes["countershaft"].checks if c.verdict in URGENT}
-    for train in _trains(results.design):
+    struck: tuple[float, list[Section], list[Section]] | None = None  # with the speed of its strikes at idle
+    hard = False  # whether strikes stopped one
+    for train in (replace(train, finer=finer) for finer in (False, True) for train in _trains(results.design, finer)):
+        if train.finer != hard:
+            continue
         for flanks in FLANKS:
             losses = _friction(results.design, results, flanks)
             try:
@@ -118,11 +135,20 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
                 break
             outcomes = [results.outcomes[key] for key in ("countershaft", "gears", "friction")]
             stopping = [c for outcome in outcomes for c in outcome.checks if c.verdict in URGENT and c.id not in known]
-            if not stopping and all(outcome.state == "solved" for outcome in outcomes if outcome.state != "not_asked"):
-                return wheels, losses
+            if all(outcome.state == "solved" for outcome in outcomes if outcome.state != "not_asked"):
+                if not stopping:
+                    return wheels, losses
+                if train.finer and all(c.rule in OF_STRIKES and c.verdict == "warn" for c in stopping):
+                    speed = next((c.value for c in stopping if c.rule is strikes.RATTLE), 0.0)
+                    if not speed:
+                        return wheels, losses
+                    struck = (speed, wheels, losses) if struck is None or speed < struck[0] else struck
+            hard = hard or any(c.rule in OF_STRIKES for c in stopping)
             why += [Text("{check}", check=c.name) for c in stopping[:1]]
             if not all(c.rule in OF_FLANKS for c in stopping):
                 break  # finer flanks do not help
+    if struck is not None:
+        return struck[1:]
     raise NoSolution(
         TRAIN,
         SEMICOLON.join(text for text, _ in Counter(why).most_common(3)),
@@ -176,9 +202,9 @@ def _too_tight(results: Results) -> int:
     return round(up(missing * 1e6 / 2, THINNER))
 
 
-def _trains(design: Design) -> Iterator[Train]:
+def _trains(design: Design, wide: bool = False) -> Iterator[Train]:
     """Those of a tree by their teeth; else those whose wheel on the shaft goes through its front seat, and that reach
-    from the crank to the axis of the shaft."""
+    from the crank to the axis of the shaft.  `wide`: none but wide ones."""
     if _is_tree(design):
         for module, fastest, face in product(MODULES[1:], OF_TREE, WIDER[::2]):
             yield Train((fastest, 0, 0), module, face)
@@ -193,7 +219,8 @@ def _trains(design: Design) -> Iterator[Train]:
         seat = 2 * shaft.outer_radius
     away = math.hypot(*shaft.axis) if shaft is not None and shaft.axis is not None else 0.0
     sizes = range(len(MODULES) - 1), WHEELS
-    for smaller, teeth, face in (*product(*sizes, FACES), *product(*sizes, WIDER)):
+    faces = (WIDER[::2],) if wide else (FACES, WIDER)
+    for smaller, teeth, face in (row for of in faces for row in product(*sizes, of)):
         modules = [
             module for module in MODULES if (module <= USUAL or teeth != WHEELS[0]) and tip(teeth[0], module) < seat
         ]
@@ -276,7 +303,10 @@ def _gears(
         GearsInputs.face_width: (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
         GearsInputs.tool_addendum: (1.41, "assumed: the tool of the R753IE4"),
         GearsInputs.tool_tip_radius: (0.2, "assumed"),
-        GearsInputs.accuracy_grade: (GRADE, "assumed: shaved or ground; the runout of the teeth goes with it"),
+        GearsInputs.accuracy_grade: (
+            FINER_GRADE if train.finer else GRADE,
+            f"assumed: {'ground' if train.finer else 'shaved or ground'}; the runout of the teeth goes with it",
+        ),
         GearsInputs.housing_material: (housing, "assumed: the block, as of the bearings"),
     }
     if power is not None:
@@ -301,7 +331,10 @@ def _gears(
             wheel[Wheel.bore_diameter] = (diameter, sits)
         sections.append((head(Design.gears, GearsInputs.wheels), wheel))
     for row in wheels[1:]:
-        tolerance = (TOLERANCE, "assumed: the allowances leave it a backlash")
+        tolerance = (
+            FINER_TOLERANCE if train.finer else TOLERANCE,
+            f"assumed: the allowances leave it a backlash{', which is small for its strikes' if train.finer else ''}",
+        )
         mesh: Rows = {Mesh.driver: (row.driver, ""), Mesh.driven: (row.name, ""), Mesh.tolerance: tolerance}
         sections.append((head(Design.gears, GearsInputs.meshes), mesh))
     return sections

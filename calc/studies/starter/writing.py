@@ -26,9 +26,12 @@ def head(*fields: object) -> str:
 
 def written(sections: list[Section]) -> str:
     """As they stand in a file, comments from the same column on."""
-    return "".join(
-        f"\n{header}\n" + "".join(_line(dotted(key), *row) for key, row in rows.items()) for header, rows in sections
-    )
+    return "".join(f"\n{header}\n{lines(rows)}" for header, rows in sections)
+
+
+def lines(rows: Rows) -> str:
+    """The keys of one table, without its header."""
+    return "".join(_line(dotted(key), *row) for key, row in rows.items())
 
 
 def _line(key: str, value: object, why: str) -> str:

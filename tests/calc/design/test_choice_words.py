@@ -34,6 +34,7 @@ OF_ROLLING = {
     "rolling", "ball", "roller", "polyamide", "oil splash", "cast-in insert", "adhesive", "clamped",
 }  # fmt: skip
 OF_GAS = {"by a throttle", "by the fuel alone"}
+OF_DRIVE = {"flywheel", "nose"}
 
 
 def test_no_word_is_left_in_english() -> None:
@@ -46,4 +47,5 @@ def test_no_word_is_left_in_english() -> None:
         | OF_SEATS
         | OF_ROLLING
         | OF_GAS
+        | OF_DRIVE
     )

@@ -61,7 +61,7 @@ def test_what_is_published_says_where_it_comes_from():
     given, torque = torque_of("R753 idle, row")
     with trace() as lines:
         found = wave(given, torque)
-    assert {line.formula.symbol for line in lines} == {"α_n", "δ", "α_up", "α_down", "α̂_n"}
+    assert {line.formula.symbol for line in lines} == {"ω'_n", "δ_s", "ω'_max", "ω'_min", "ω̂'_n"}
     assert all(link_of(x) in lines for x in (found.irregularity, found.up, found.down, *found.orders.values()))
 
 

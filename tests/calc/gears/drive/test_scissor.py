@@ -18,11 +18,9 @@ from calc.gears.drive.scissor import (
     opening_speed,
     scissor,
     scissor_checks,
-    split_wheel,
-    spring_torque,
-    sprung,
 )
 from calc.gears.drive.scissor_inputs import Scissor
+from calc.gears.drive.spring import split_wheel, spring_torque, sprung
 from calc.gears.drive.strength import held
 from calc.library.lubricant import Lubricant
 from calc.sheet.errors import NoSolution
