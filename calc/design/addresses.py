@@ -136,14 +136,23 @@ def by_names(data: Table, key: str) -> str:
     return ".".join(parts)
 
 
+def _mesh(item: object) -> str | None:
+    """What the values of a mesh are called by; None of any other table."""
+    table = as_table(item)
+    driver, driven = table.get("driver"), table.get("driven")
+    return f"{driver}_{driven}" if "name" not in table and driver is not None and driven is not None else None
+
+
 def _element(tables: list[object], part: str, key: str) -> int:
-    """The index of the table that has this name, or this place."""
+    """The index of the table that has this name, or this place; a mesh is called by its wheels, as in its values."""
     called = [
         (n, item.get(key)) for key in ("name", "former_name") for n, item in enumerate(tables) if isinstance(item, dict)
     ]
+    called += [(n, _mesh(item)) for n, item in enumerate(tables)]
     index = next((n for n, name in called if name == part), place_in(part, len(tables)))
     if index is None:
-        names = ", ".join(str(item.get("name", n)) for n, item in enumerate(tables) if isinstance(item, dict))
+        every = enumerate(tables)
+        names = ", ".join(str(item.get("name", _mesh(item) or n)) for n, item in every if isinstance(item, dict))
         raise _no_such(key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none"))
     return index
 

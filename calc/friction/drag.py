@@ -46,3 +46,16 @@ def drags(balance: FrictionResult, ratio: Array) -> dict[str, Array]:
         if balance.delivered_power is not None:
             needed[d.last] += balance.delivered_power * r
         return {name: P / (2 * np.pi * np.abs(at.wheels[name].speed)) for name, P in needed.items()}
+
+
+def drag_sources(balance: FrictionResult, wheel: str) -> tuple[object, ...]:
+    """What the drag of a wheel stands on: the bearings of its shaft and the parts of its own."""
+    d, on = balance.drive, balance.on
+    assert d is not None and on is not None  # of every balance that the step has solved
+    bearings = [
+        bearing.friction_power
+        for name, end in d.ends.items()
+        if end.wheel == wheel
+        for bearing in on[name].bearings.bearings.values()
+    ]
+    return (*bearings, *d.wheels[wheel].parts())

@@ -4,8 +4,10 @@
 The drag of a body is that of its journals or rolling bearings, seals, windage, churning and other losses, and what
 hangs on its shaft; mesh losses are none of it."""
 
+import cmath
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -134,6 +136,8 @@ class TrainOnLine:
     stiffness: tuple[float, ...]
     play: Mapping[str, tuple[Metre, ...]]  # along the line of action: "nominal", "most", "least"
     turns: tuple[Number, ...]  # in a turn of the first driver
+    gravity: tuple[complex, ...]  # phasor of what gravity turns a body by, in N; 0 where it is not counted
+    gravity_order: tuple[Number, ...]  # on the crank
 
     def index(self, key: str) -> int:
         return next(i for i, link in enumerate(self.links) if link.key == key)
@@ -147,7 +151,10 @@ class TrainOnLine:
 
     def bodies(self, drag: Array, play: str, factor: Number = 1.0) -> Bodies:
         """As arrays; `drag` (P, B), of which `factor` is taken."""
+        of_gravity = any(self.gravity)
         return Bodies(
+            gravity=np.tile(np.array(self.gravity), (len(drag), 1)) if of_gravity else None,
+            gravity_order=np.array(self.gravity_order, dtype=float) if of_gravity else None,
             parent=self.parent,
             rho=np.array(self.rho, dtype=float),
             toothed=tuple(link.toothed for link in self.links),
@@ -160,9 +167,13 @@ class TrainOnLine:
 
 
 def on_line(
-    gears: GearsInputs, train: TrainResult, own: Mapping[str, KilogramMetre2], materials: Mapping[str, Material]
+    train: TrainResult,
+    own: Mapping[str, KilogramMetre2],
+    materials: Mapping[str, Material],
+    shafts: Mapping[str, ShaftBody],
 ) -> TrainOnLine:
-    """`own`: what `inertias` gives."""
+    """`own`: what `inertias` gives.  All that gravity turns is there: `counted` leaves out what is too little."""
+    on = {turn.wheel: shafts[name] for name, turn in train.shafts.items() if name in shafts}
     links, reached = train.tree.links, {train.tree.first: -1}
     r_first = _radius(train, train.tree.first)
     parent = list[int]()
@@ -202,7 +213,23 @@ def on_line(
         stiffness=tuple(stiffness),
         play={corner: tuple(plays) for corner, plays in play.items()},
         turns=turns,
+        gravity=tuple(_gravity(on.get(link.driven), r) for link, r in zip(links, radius)),
+        gravity_order=tuple(abs(on[link.driven].ratio) if link.driven in on else 0.0 for link in links),
     )
+
+
+def _gravity(shaft: ShaftBody | None, r_b: Metre) -> complex:
+    """G = U·g·sin θ/r_b, θ the angle of the unbalance from up, travelled in the shaft's own sense of rotation."""
+    if shaft is None:
+        return 0.0
+    own_sense = math.copysign(1.0, shaft.ratio)
+    return complex(-1j * cmath.exp(1j * own_sense * shaft.angle) * shaft.U * GRAVITY / r_b)
+
+
+def counted(line: TrainOnLine, drag: Array) -> TrainOnLine:
+    """The same without the gravity of shafts whose unbalance is but what rounding leaves; `drag` (B,) at idle."""
+    little = [abs(G) <= LIGHT_SHAFT * D for G, D in zip(line.gravity, drag)]
+    return replace(line, gravity=tuple(0.0 if out else G for G, out in zip(line.gravity, little)))
 
 
 def _radius(train: TrainResult, name: str) -> Metre:

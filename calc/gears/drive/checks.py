@@ -63,7 +63,8 @@ RATTLE = CheckRule(
     sense="<=",
     unit="mm/s",
     source=YARDSTICK,
-    value_id="gears.drive.impact_speed",
+    cause="gears.rattle",
+    value_id=dotted("gears", "drive", DriveResult.impact_speed),
     moved_by=MOVES,
     short=Text("rattle"),
 )
@@ -74,7 +75,7 @@ RATTLE_MOST = CheckRule(
     sense="<=",
     unit="mm/s",
     source=YARDSTICK,
-    cause=RATTLE.id,
+    cause=RATTLE.cause,
     moved_by=MOVES,
 )
 STRIKE_CONTACT = CheckRule(
@@ -124,7 +125,7 @@ BACKLASH_WINDOW = CheckRule(
     sense="<=",
     unit="µm",
     source=Text("rule of this program: from below what tolerance, runout and temperature take, from above grade B"),
-    cause=RATTLE.id.replace("M", "train"),
+    cause=RATTLE.cause,
     value_id=dotted("gears", "drive", DriveResult.window_low),
     limit_id=dotted("gears", "drive", DriveResult.window_high),
 )

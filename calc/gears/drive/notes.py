@@ -12,8 +12,8 @@ MOVED = 0.005  # share of a torque by which it is said to have moved
 REFLECTED = 0.3  # of the inertia on the crank: a train with more of it acts back
 ACCURACY = Text(
     "Forces of strikes are some low to some high, never one number: held against a chain of elastic teeth, 240 random "
-    "trains with three dampings, the low one fits a train whose shaft is heavy and last, and is no lower bound; the high "
-    "one is passed in 12 % of the meshes, then by 13 % in the median. No measurement of such a train is public."
+    "trains with three dampings, the low one fits a train whose shaft is heavy and last, and is no lower bound; the "
+    "high one is passed in 12 % of the meshes, then by 13 % in the median. No measurement of such a train is public."
 )
 
 
@@ -41,21 +41,21 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
         of_train = float(source.J_E) - float(work.engine.flywheel_inertia or 0.0)
         if of_train > REFLECTED * float(source.J_E):
             yield Text(
-                "The train has {share} of the inertia on the crank: taken as given, the motion of the crank is too even.",
+                "The train has {share} of the inertia on the crank, whose motion, taken as given, is too even.",
                 share=Amount(100 * of_train / float(source.J_E), "%", form=".0f"),
             )
         if source.nose and work.engine.crank_twist is None:
             yield Text(
-                "The train is driven from the nose of the crank, which is taken as rigid: torsional vibration would add; "
-                "give [engine.crank_twist]."
+                "The train is driven from the nose of the crank, which is taken as rigid: torsional vibration would "
+                "add; give [engine.crank_twist]."
             )
     if IDLE not in drive.at:
         yield Text(
             "Idle without load is not known, so that nothing is graded: give an [[engine.operation]] row of load 0."
         )
     yield Text(
-        "Strikes are without rebound, at steady speed, of rigid bodies; oil squeezed between flanks would take speed off "
-        "light wheels."
+        "Strikes are without rebound, at steady speed, of rigid bodies; oil squeezed between flanks would take speed "
+        "off light wheels."
     )
 
 

@@ -15,7 +15,7 @@ from ...engine.inputs import EngineInputs
 from ...engine.load import CrankTorque, crank_torque
 from ...engine.operation import GasRow
 from ...engine.result import EngineResult
-from ...friction.drag import drags
+from ...friction.drag import drag_sources, drags
 from ...friction.result import FrictionResult
 from ...library.catalogue import Material
 from ...sheet.arrays import Array
@@ -43,7 +43,7 @@ from ..limits import EXTREME
 from ..rating.load import Irregular, MeshTorques
 from ..result import TrainResult
 from . import strikes as s
-from .bodies import ShaftBody, TrainOnLine, drag_on_line, inertias, measured, on_line, with_body
+from .bodies import ShaftBody, TrainOnLine, counted, drag_on_line, inertias, measured, on_line, with_body
 from .checks import grade_of
 from .crank import (
     UnevenRow,
@@ -138,7 +138,12 @@ class Source:
 
     @property
     def cycle(self) -> float:
-        return self.work.engine.strokes * math.pi
+        """That of the engine; of one given order that does not fit into it, the nearest one that it does fit into."""
+        cycle, orders = self.work.engine.strokes * math.pi, {float(row.order) for row in self.rows}
+        if len(orders) != 1:
+            return cycle
+        (order,) = orders
+        return max(1, round(cycle * order / TURN)) * TURN / order
 
     def points(self, count: int = JUDGED) -> tuple[Array, Array]:
         """Speeds from idle to rated with every load."""
@@ -263,7 +268,7 @@ def over_speed(
     half and full load; what is published of four operating points is traced."""
     with trace() as lines:
         own = inertias(gears, train, work.shafts, materials)
-        line = on_line(gears, train, own, materials)
+        line = on_line(train, own, materials, work.shafts)
         source = source_of(work, gears, line)
         with untraced():
             drags = drags_of(work, gears, line)
@@ -271,6 +276,7 @@ def over_speed(
         known = drags is not None
         if drags is None:
             drags = Drags(np.array([float(work.idle), float(work.engine.rated_speed)]), np.zeros((2, B)))
+        line = counted(line, drags.of[0])
         springs = _springs(gears, train, line)
         with about(Text("crank, over speed and load")):
             source, torque = _turning(source)
@@ -373,9 +379,9 @@ def _masses(line: TrainOnLine) -> list[Kilogram]:
 def _drags(drive: Drive, p: int, judged: Survey) -> list[Newton]:
     """D_c of every mesh at a point of the survey."""
     line, of = drive.line, drive.work.friction
-    sources = () if of is None else (of.total_loss,)
     D: list[Newton] = []
     for i, link in enumerate(line.links):
+        sources = () if of is None else drag_sources(of, link.driven)
         T_d = based_on(float(judged.bodies.drag[p, i]) * float(line.radius[i]), *sources)
         with about(Text("wheel {name}, drag", name=link.driven)):
             D.append(drag_on_line(T_d=T_d, r_b=line.radius[i]))

@@ -106,6 +106,7 @@ FLANK_REVERSAL = CheckRule(
     unit="N·m",
     source=Text("dynamics: the flanks stay in touch while the torque does not change its sign"),
     zero="mean torque of the mesh",
+    cause="gears.rattle",
     moved_by=(dotted("engine", EngineInputs.flywheel_inertia), DELTA_S),
 )
 LINE_LOAD = CheckRule(

@@ -9,7 +9,7 @@ from ...sheet.units import Number
 from ..result import ToothSystem
 from .classes import classes_of
 from .dynamic import LIGHT
-from .load import UNEVEN, RatingContext, RatingLoad
+from .load import RatingContext, RatingLoad
 from .result import Influence, MeshRating, MeshStrength
 from .screening.load import Screening
 from .screening.scuffing import LOAD_STAGE, PERMISSIBLE_FILM
@@ -78,7 +78,7 @@ def _load_notes(context: RatingContext, load: RatingLoad) -> Iterator[Text]:
             "is the larger load of such a train: a safety is verified where {worst} in its place leaves enough. Give "
             "gears.speed_irregularity, or engine.gas and engine.flywheel_inertia_kgm2.",
             k_a=K_A,
-            worst=Amount(UNEVEN),
+            worst=Amount(load.at_worst, form=".3g"),
         )
     if gears.flank_rz is None:
         yield Text(

@@ -342,3 +342,10 @@ def test_nasty_assignments_are_named(gamma, key, value):
 def test_an_oil_outside_its_law_is_named(text):
     own = f'[[oil]]\nname = "thin"\nnu40_mm2_s = 100.0\n{text}\nrho15_kgm3 = 850.0\nbase = "mineral"\n'
     assert any("oil.0.nu100_mm2_s" in e for e in errors(TEXT + own))
+
+
+def test_a_mesh_is_called_by_its_wheels_as_in_its_values(gamma):
+    by_wheels = address(gamma.data, "gears.meshes.idler_shaft.tolerance_um")
+    assert by_wheels == address(gamma.data, "gears.meshes.2.tolerance_um")
+    with pytest.raises(BadInput, match="crank_central, central_idler, idler_shaft"):
+        address(gamma.data, "gears.meshes.idler_shaf.tolerance_um")
