@@ -473,7 +473,9 @@ def rattle() -> str:
 
 def everything() -> dict[str, str]:
     validation = (
-        "# Values of others beside ours\n\nWhat `contralbero validate` prints; made by `python docs/generate.py`.\n\n"
+        "# Values of others beside ours\n\nWhat `contralbero validate` prints; made by `python docs/generate.py`. "
+        "No public measurement of strike speed or force\nof a balance-shaft train was found: forces of strikes are verified against "
+        "our own finer model only\n([why balance shafts rattle](rattle.md)).\n\n"
     )
     return pages() | {
         "validation.md": validation
