@@ -141,8 +141,8 @@ CHAIN: tuple[tuple[Text, str, str, str, str], ...] = (
 
 HELD = Text(
     "Mesh by mesh; the chain is a finer model of our own, with dampings of 0.05 to 0.4 and steps of 4 µs. In 240 "
-    "random trains with 618 struck meshes its largest force was, over the low estimate, 0.60 at least, 0.78, 1.18 and 2.8 "
-    "(5 %, median, 95 %), 11 at most; over the high one 0.16, 0.52, 0.78, 1.18 and 1.87."
+    "random trains with 618 struck meshes its largest force was, over the low estimate, 0.60 at least, 0.78, 1.18 and "
+    "2.8 (5 %, median, 95 %), 11 at most; over the high one 0.16, 0.52, 0.78, 1.18 and 1.87."
 )
 
 

@@ -44,7 +44,8 @@ class Usual:
 
 
 def usual(engine: EngineInputs, document: Document, kind: str) -> Usual:
-    """Of an engine, whose document it is, what it does not give; no flywheel where the cycle without load is not solved.
+    """Of an engine, whose document it is, what it does not give; no flywheel where the cycle without load is not
+    solved.
 
     An engine that has other strokes than its kind, or a torque diagram, is not told its gas."""
     known, of = house_table("engine_motion.toml")["usual"][kind], as_table(document.data[dotted(Design.engine)])
@@ -71,8 +72,8 @@ def usual(engine: EngineInputs, document: Document, kind: str) -> Usual:
 
 
 def flywheel(document: Document) -> tuple[KilogramMetre2 | None, Number]:
-    """The inertia, to two digits, with which an engine idles as unevenly as is usual of its number of cylinders; and that
-    irregularity.  None where its cycle without load is not solved."""
+    """The inertia, to two digits, with which an engine idles as unevenly as is usual of its number of cylinders; and
+    that irregularity.  None where its cycle without load is not solved."""
     made = design(document)
     engine, known = made.engine, solve(made).result(EngineResult)
     assert engine is not None and known is not None
