@@ -64,8 +64,8 @@ def piston_speed(u_m: MetrePerSecond, n: RevPerSecond, n_r: RevPerSecond) -> Met
 
 @formula(
     "p_mf",
-    "Heywood 1988, ch. 13: mean pressure of friction over speed, a_mf + b_mf·n + c_mf·n² + d_mf·S_p², fitted to the engine "
-    "by κ",
+    "Heywood 1988, ch. 13: mean pressure of friction over speed, a_mf + b_mf·n + c_mf·n² + d_mf·S_p², fitted to the "
+    "engine by κ",
     unit="bar",
     names={"kappa": "κ", "a": "a_mf", "b": "b_mf", "c": "c_mf", "d": "d_mf"},
 )

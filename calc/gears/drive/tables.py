@@ -36,23 +36,14 @@ def over_speed_table(train: TrainResult, drive: DriveResult) -> Table:
             continue
         for op in (op for op in (IDLE, HARDEST) if op in over.operations):
             at = over.operations[op]
-            place = Text("idle: {grade}", grade=grade_letter(grade_of(at.impact_speed)))
+            grade = grade_letter(grade_of(at.impact_speed))
+            idle = Text("{pair}, idle: {grade}", pair=mesh.title, grade=grade)
+            where = idle if op == IDLE else Text("{pair}, hardest", pair=mesh.title)
             safeties = _safeties(train, key, over) if op == HARDEST else (None, None)
             u, force = at.impact_speed * MM_S, _force(at)
-            rows.append(
-                (
-                    Name(mesh.title),
-                    place if op == IDLE else Text("hardest"),
-                    u,
-                    force,
-                    at.impact_power,
-                    at.separation,
-                    *safeties,
-                )
-            )
+            rows.append((where, u, force, at.impact_power, at.separation, *safeties))
     columns = (
-        (Text("mesh"), ""),
-        (Text("at, grade"), ""),
+        (Text("mesh, at, grade"), ""),
         (Text("hardest strike"), "mm/s"),
         (Text("force, low to high"), "N"),
         (Text("power, about"), "W"),
