@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from ...sheet.quantity import Stated, group, result, value
+from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import (
     KilogramMetre2,
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from ..rating.irregular import Irregular
     from .source import Drive
     from .survey import Survey
-    from .window import Window
 
 IDLE, IDLE_FULL, RATED, HARDEST = "idle", "idle_full", "rated", "hardest"
 OPERATIONS = {
@@ -113,6 +113,21 @@ class WheelStruck:
     )
 
 
+@record
+class Window:
+    """Of one way, by the body that strikes last on it.  `by_phase`: whether the phase error rules its upper end."""
+
+    body: int
+    nominal: Metre
+    low: Metre
+    high: Metre | None  # None: its strikes never reach grade B's limit, and nothing else bounds it
+    quiet_a: Metre | None
+    quiet_b: Metre | None
+    by_phase: bool
+    taken: Mapping[str, Metre]  # by mesh: what tolerance, runout and temperature take of it
+    widened: Metre  # by how much the largest running backlash is above the nominal one
+
+
 @result
 class DriveResult:
     """The crank and the train behind it over speed and load."""
@@ -150,4 +165,4 @@ class DriveResult:
     at: Mapping[str, int]  # the published points in the survey
     meshes: Mapping[str, MeshOverSpeed]
     torques: "Irregular"  # what the rating takes
-    window: "Window | None" = None  # the way with the least room for its nominal backlash
+    window: Window | None = None  # the way with the least room for its nominal backlash

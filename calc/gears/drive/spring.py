@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The spring of a scissor gear, and what is published of one.  Forces stand along the transverse line of action."""
 
-import numpy as np
-
 from ...sheet.arrays import Array, BoolArray
 from ...sheet.formula import formula
 from ...sheet.functions import largest
@@ -67,4 +65,5 @@ def sprung(given: Scissor, backlash: Metre, r_b: Metre, forces: Array) -> BoolAr
     """Whether the spring holds the flanks closed, for least forces of any shape."""
     with untraced():
         T_S = spring_torque(T=given.torque, c_S=given.stiffness, j=backlash, r_b=r_b)
-        return np.asarray(spring_force(T_S=T_S, r_b=r_b) >= -forces)
+        held: BoolArray = spring_force(T_S=T_S, r_b=r_b) >= -forces
+        return held
