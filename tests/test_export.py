@@ -244,3 +244,28 @@ def test_a_file_that_can_not_be_written_is_named(capsys, tmp_path):
 def test_formats_exclude_each_other_and_a_path_is_needed(capsys, tmp_path):
     assert run(capsys, "export", GAMMA, "--json", "--csv", "-o", tmp_path / "out.json")[0] == 2
     assert run(capsys, "export", GAMMA, "--json")[0] == 2
+
+
+# --- the map of the drive over speed
+def test_the_map_has_a_row_for_each_speed_and_load(tmp_path, gamma_results):
+    path = tmp_path / "map.csv"
+    assert main(["export", str(GAMMA), "--csv", "--map", "-o", str(path)]) == 0
+    rows = list(csv.DictReader(path.open(encoding="utf-8")))
+    speeds = [float(row["speed_rpm"]) for row in rows]
+    assert len(rows) == 60 and speeds == sorted(speeds) and speeds[-1] == 2600.0  # by a default: one load
+    for name, id in (
+        ("impact_speed_mm_s", "impact_speed"),
+        ("impact_force_low_N", "impact_force_low"),
+        ("impact_force_N", "impact_force"),
+        ("least_force_N", "least_force"),
+        ("separation", "separation"),
+        ("impact_power_W", "impact_power"),
+    ):
+        published = gamma_results.values()[f"gears.idler_shaft.idle.{id}"].shown
+        assert float(rows[0][f"idler_shaft.{name}"]) == pytest.approx(published, rel=1e-6)
+
+
+@pytest.mark.parametrize(("path", "kind", "words"), [(ALPHA, "csv", "needed"), (GAMMA, "json", "is for a table")])
+def test_where_there_is_no_map(tmp_path, capsys, path, kind, words):
+    assert main(["export", str(path), "--map", "-o", str(tmp_path / f"map.{kind}")]) == 2
+    assert words in capsys.readouterr().err

@@ -23,6 +23,8 @@ CHARACTERS = {
     "equals_sign": "=",
     "greater_than_sign": ">",
     "less_than_sign": "<",
+    "full_stop": ".",
+    "comma": ",",
     "plus": "+",
     "minus": "-",
     "space": " ",

@@ -215,6 +215,29 @@ def _hardest_of_branch(bodies: Bodies, strikes: Strikes) -> Array:
 # --- the forces of one mesh, line by line
 
 
+@record
+class AtPoint:
+    """All strikes of one operating point as forces, among which those of a mesh are sought."""
+
+    bodies: Bodies
+    of: Closed
+    strikes: Strikes
+    teeth: ToothStiffness
+    low: Array  # (on, by, E)
+    high: Array  # (mesh, by, E)
+    whip: Array  # (B,)
+    hardest: Array  # (B,) of the branch, in m/s
+
+
+def at_point(bodies: Bodies, of: Closed, strikes: Strikes, point: int = 0, factor: Array | None = None) -> AtPoint:
+    bodies, of, strikes = bodies.at([point]), of.at([point]), strikes.at([point])
+    teeth = _teeth(bodies, factor)
+    with untraced():
+        low, high = _low(bodies, of, strikes, teeth)[0], _high(bodies, of, strikes, teeth)[0]
+        whip = _whip(bodies, of, strikes, teeth)[0] * teeth.there
+        return AtPoint(bodies, of, strikes, teeth, low, high, whip, _hardest_of_branch(bodies, strikes)[0])
+
+
 def forces_of(
     bodies: Bodies,
     of: Closed,
@@ -222,17 +245,17 @@ def forces_of(
     mesh: int,
     point: int = 0,
     factor: Array | None = None,
-    sources: Sequence[object] = (),
 ) -> tuple[Newton, Newton]:
     """Low and high of one mesh, by the formulas, from the strikes that govern; all seen at this mesh.  (0, 0) where
-    nothing strikes.  `sources`: what mass, speed and press of a strike stand on."""
-    bodies, of, strikes = bodies.at([point]), of.at([point]), strikes.at([point])
-    teeth = _teeth(bodies, factor)
-    with untraced():
-        low = (bodies.lever[mesh][:, None, None] * _low(bodies, of, strikes, teeth)[0]) * teeth.there[mesh]
-        high = _high(bodies, of, strikes, teeth)[0, mesh]
-        whip = float(_whip(bodies, of, strikes, teeth)[0, mesh] * teeth.there[mesh])
-        hardest = float(_hardest_of_branch(bodies, strikes)[0, mesh])
+    nothing strikes."""
+    return forces_in(at_point(bodies, of, strikes, point, factor), mesh)
+
+
+def forces_in(at: AtPoint, mesh: int, sources: Sequence[object] = ()) -> tuple[Newton, Newton]:
+    """The same of one mesh after the other; `sources`: what mass, speed and press of a strike stand on."""
+    bodies, of, strikes, teeth = at.bodies, at.of, at.strikes, at.teeth
+    low, high = at.low * bodies.lever[mesh][:, None, None] * teeth.there[mesh], at.high[mesh]
+    whip, hardest = float(at.whip[mesh]), float(at.hardest[mesh])
     F_low = F_high = based_on(0.0, *sources)
     if (F := float(low.max())) > 0:
         on, by, event = (int(n) for n in np.unravel_index(np.argmax(low), low.shape))

@@ -50,7 +50,7 @@ from .crank import (
     given_accelerations,
     published,
 )
-from .forces import forces_of
+from .forces import AtPoint, at_point, forces_in
 from .line import TrainOnLine
 from .motion import Motion
 from .orders import mesh_order
@@ -334,10 +334,11 @@ def _meshes(
     by_mesh: dict[str, dict[str, MeshAt]] = {link.key: {} for link in line.links if link.toothed}
     for place, (op, p) in enumerate(at.items()):
         D = _drags(drive, p, judged)
+        seen = at_point(judged.bodies, judged.closed, judged.strikes, p) if op in TRACED else None
         for i, link in enumerate(line.links):
             if link.toothed:
                 with about(Text("mesh {pair}, {op}", pair=link.title, op=OPERATIONS[op])):
-                    by_mesh[link.key][op] = _mesh_at(drive, judged, most, p, place, i, M, D, op, operations[op])
+                    by_mesh[link.key][op] = _mesh_at(drive, judged, most, p, place, i, M, D, seen, operations[op])
     spans = {}
     for i, link in enumerate(line.links):
         if link.toothed:
@@ -370,46 +371,47 @@ def _mesh_at(
     i: int,
     M: Sequence[Kilogram],
     D: Sequence[Newton],
-    op: str,
+    seen: AtPoint | None,
     crank: MotionAt,
 ) -> MeshAt:
-    """One mesh at a point of the survey, which is the one at `place` in that of the largest backlash."""
+    """One mesh at a point of the survey, which is the one at `place` in that of the largest backlash; `seen`: its
+    strikes, where they are shown line by line."""
     line, of, hits = drive.line, judged.closed, judged.impacts
     rho = float(judged.bodies.ratio[i])
     down = at_mesh(alpha=-crank.acceleration_down, i_1=abs(drive.work.ratio), r_b1=line.first_radius, rho=rho)
     up = at_mesh(alpha=crank.acceleration_up, i_1=abs(drive.work.ratio), r_b1=line.first_radius, rho=rho)
     Gamma = s.separation(M=M[i], a=down, D=D[i]) if D[i] > 0 else None
     least, largest = s.least_force(M=M[i], a=down, D=D[i]), s.most_force(M=M[i], a=up, D=D[i])
-    sources = (M[i], down, up, D[i], *(line.play["nominal"][k] for k in line.path(i)))
+    stands = based_on(0.0, M[i], down, up, D[i], *(line.play["nominal"][k] for k in line.path(i)))  # on these
     if judged.bodies.gravity is not None:
         least, largest = based_on(float(of.least[p, i]), least), based_on(float(of.most[p, i]), largest)
-    if op in TRACED:
-        low, high = forces_of(judged.bodies, of, judged.strikes, i, p, sources=sources)
+    if seen is not None:
+        low, high = forces_in(seen, i, (stands,))
     else:
-        low, high = based_on(float(hits.low[p, i]), *sources), based_on(float(hits.high[p, i]), *sources)
+        low, high = based_on(float(hits.low[p, i]), stands), based_on(float(hits.high[p, i]), stands)
     u = float(hits.speed[p, i])
     far, worst = most.closed, most.impacts
     return MeshAt(
         separation=Gamma,
         least_force=least,
         most_force=largest,
-        impact_speed=s.strike_speed(u=based_on(u, *sources)) if u else based_on(0.0, *sources),
+        impact_speed=s.strike_speed(u=based_on(u, stands)) if u else based_on(0.0, stands),
         impact_force_low=low,
         impact_force=high,
-        impact_power=_power(judged, p, i, sources),
-        impacts=based_on(float(hits.impacts[p, i]), *sources),
-        flanks=based_on(float(hits.flanks[p, i]), *sources),
-        backlash_share=based_on(float(hits.share[p, i]), *sources),
-        separation_most=based_on(float(far.separation[place, i]), *sources) if D[i] > 0 else None,
-        least_force_most=based_on(float(far.least[place, i]), *sources),
-        most_force_most=based_on(float(far.most[place, i]), *sources),
-        impact_speed_most=based_on(float(worst.speed[place, i]), *sources),
-        impact_force_low_most=based_on(float(worst.low[place, i]), *sources),
-        impact_force_most=based_on(float(worst.high[place, i]), *sources),
-        impact_power_most=based_on(float(worst.power[place, i]), *sources),
-        impacts_most=based_on(float(worst.impacts[place, i]), *sources),
-        flanks_most=based_on(float(worst.flanks[place, i]), *sources),
-        backlash_share_most=based_on(float(worst.share[place, i]), *sources),
+        impact_power=_power(judged, p, i, (stands,)),
+        impacts=based_on(float(hits.impacts[p, i]), stands),
+        flanks=based_on(float(hits.flanks[p, i]), stands),
+        backlash_share=based_on(float(hits.share[p, i]), stands),
+        separation_most=based_on(float(far.separation[place, i]), stands) if D[i] > 0 else None,
+        least_force_most=based_on(float(far.least[place, i]), stands),
+        most_force_most=based_on(float(far.most[place, i]), stands),
+        impact_speed_most=based_on(float(worst.speed[place, i]), stands),
+        impact_force_low_most=based_on(float(worst.low[place, i]), stands),
+        impact_force_most=based_on(float(worst.high[place, i]), stands),
+        impact_power_most=based_on(float(worst.power[place, i]), stands),
+        impacts_most=based_on(float(worst.impacts[place, i]), stands),
+        flanks_most=based_on(float(worst.flanks[place, i]), stands),
+        backlash_share_most=based_on(float(worst.share[place, i]), stands),
     )
 
 

@@ -3,15 +3,19 @@
 
 import re
 from contextlib import nullcontext
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
+import numpy as np
 import pytest
 from textual.pilot import Pilot
 
 from assistant.screens.curves import CurveList
 from assistant.screens.workbench import Workbench
 from assistant.widgets.curve_pane import CurvePane
+from calc.sheet.step import Curve, Series, Walk
+from calc.sheet.text import Text
 from tests.assistant.action_tests import DEEDS, Do, deed, over, still, text, to_curve
 from tests.assistant.driving import at_rest, strike, told, type_in, until, work
 
@@ -123,6 +127,43 @@ async def turns(degrees: str, pilot: Pilot[int], do: Do) -> None:
 
 
 DEEDS |= {"crank_on": partial(turns, "10"), "crank_back": partial(turns, "350")}
+
+
+def walked_to(step: int, row: int) -> Curve:
+    """A figure that the session makes at three steps and in two rows."""
+    line = Series(Text("way"), np.array([0.0, 720.0]), np.array([0.0, 1.0 + step]))
+    return Curve("way", Text("Step {step}, row {row}", step=step, row=row), Text("crank, °"), Text("y, µm"), (line,))
+
+
+async def walks(by: int, pilot: Pilot[int], do: Do) -> None:
+    """To a point and no further than the last; l changes the row in the pane itself, the variant's key anywhere."""
+    pane = await to_curve(pilot)
+    before = pane.leaves
+    await do()
+    await still(pilot)
+    assert "no working cycle of a mesh" in told(pilot)
+    pane.show(pane.step, (replace(walked_to(1, 0), walk=Walk(walked_to, 3, 2, (1, 0))), *before))
+    pane.choose("way")
+    await still(pilot)
+    assert "Step 1, row 0" in text(pilot) and "other speeds" in text(pilot)
+    for _ in range(2):
+        await do()
+        await still(pilot)
+        assert f"Step {1 + by}, row 0" in text(pilot)
+    for row in (1, 0):
+        await strike(pilot, "l")
+        await still(pilot)
+        assert f"Step {1 + by}, row {row}" in text(pilot) and work(pilot).pane == "curve"
+    await strike(pilot, "b")
+    await still(pilot)
+    assert f"Step {1 + by}, row 1" in text(pilot)
+    pane.walked.clear()
+    pane.show(pane.step, before)
+    await strike(pilot, "l")  # of a curve that is not walked: the next pane
+    await until(pilot, lambda: work(pilot).pane != "curve")
+
+
+DEEDS |= {"walk_on": partial(walks, 1), "walk_back": partial(walks, -1)}
 
 
 @deed
