@@ -23,6 +23,7 @@ from .checks import grade_limits, window_check
 from .line import TrainOnLine
 from .result import IDLE, DriveResult
 from .strikes import quiet_backlashes
+from .way import Window
 
 STATES = ("backlash_min_runout", "backlash_cold", "backlash_running", "backlash_warmer", "backlash_warming")
 NONE_YET: Metre = 0.0
@@ -36,21 +37,6 @@ class MayLeave:
     most_couple: NewtonMetre | None
     force: Newton | None
     most_force: Newton | None
-
-
-@record
-class Window:
-    """Of one way, by the body that strikes last on it.  `by_phase`: whether the phase error rules its upper end."""
-
-    body: int
-    nominal: Metre
-    low: Metre
-    high: Metre | None  # None: its strikes never reach grade B's limit, and nothing else bounds it
-    quiet_a: Metre | None
-    quiet_b: Metre | None
-    by_phase: bool
-    taken: Mapping[str, Metre]  # by mesh: what tolerance, runout and temperature take of it
-    widened: Metre  # by how much the largest running backlash is above the nominal one
 
 
 # --- formulas
