@@ -18,7 +18,6 @@ from ...sheet.units import (
     RevPerSecond,
     Watt,
 )
-from .spring import ScissorResult
 
 if TYPE_CHECKING:
     from ..rating.irregular import Irregular
@@ -72,6 +71,25 @@ class MeshAt:
     impacts_most: Number = value(f"Strikes in a working cycle, {MOST}", "", "N_u")
     flanks_most: Number = value(f"Flanks that strike, {MOST}", "", "N_F")
     backlash_share_most: Number = value(f"Backlash over half the swing, {MOST}", "", "J/x̂")
+
+
+@result
+class ScissorResult:
+    """A split wheel in its mesh; what is None is not known."""
+
+    torque_least: NewtonMetre = value("Torque of the spring at the largest backlash", "N·m", "T_S")
+    needed: NewtonMetre = value("Torque that holds the flanks closed, idle, no load", "N·m", "T_S,min")
+    needed_range: NewtonMetre = value("Torque that holds them closed up to its speed, any load", "N·m", "T_S,min")
+    opens_at: RevPerSecond | None = value("Lowest speed at which they part, any load", "rpm", "n_o", default=None)
+    loss: Watt | None = value("Power that the spring costs in the mesh, at most", "W", "P_S", default=None)
+    main_safety_contact: Number | None = value("Main half: safety against pitting", "", "S_H", default=None)
+    main_safety_bending: Number | None = value("Main half: safety against tooth breakage", "", "S_F", default=None)
+    sprung_safety_contact: Number | None = value("Sprung half: safety against pitting", "", "S_H", default=None)
+    sprung_safety_bending: Number | None = value("Sprung half: safety against tooth breakage", "", "S_F", default=None)
+    wheel: str
+    width: Metre  # of the sprung half
+    to: RevPerSecond  # of the crank, up to which it shall hold
+    torque: NewtonMetre  # at no backlash
 
 
 @result
