@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from ..rating.irregular import Irregular
     from .source import Drive
     from .survey import Survey
-    from .way import Window
 
 IDLE, IDLE_FULL, RATED, HARDEST = "idle", "idle_full", "rated", "hardest"
 OPERATIONS = {

@@ -23,7 +23,6 @@ from .checks import grade_limits, window_check
 from .line import TrainOnLine
 from .result import IDLE, DriveResult, Window
 from .strikes import quiet_backlashes
-from .way import Window
 
 STATES = ("backlash_min_runout", "backlash_cold", "backlash_running", "backlash_warmer", "backlash_warming")
 NONE_YET: Metre = 0.0
