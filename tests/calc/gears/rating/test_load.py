@@ -140,7 +140,9 @@ def test_the_whole_design_hands_on_irregularity_and_inertia():
     omega = 2 * math.pi * 2600 / 60
     assert mesh.dynamic_torque == pytest.approx(shaft.moment_of_inertia * 0.01 * 1.5 * omega**2 * 39 / 25)
     at_rated = mesh.mean_torque - mesh.dynamic_torque
-    assert at_rated - mesh.mean_torque < mesh.least_torque < at_rated < 0  # where there is less drag than at rated speed
+    assert (
+        at_rated - mesh.mean_torque < mesh.least_torque < at_rated < 0
+    )  # where there is less drag than at rated speed
     verdicts = {c.id: c.verdict for c in uneven.checks()}
     assert verdicts["gears.idler_shaft.flank_reversal"] == "note"
 
