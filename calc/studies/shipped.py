@@ -114,8 +114,8 @@ def engine_design(
         return (DESIGNS / row["design"]).read_text(encoding="utf-8")
     document = engine_alone(name, changes or {})
     own = [key for key in changes or {} if key not in (NAME, ENGINE_NAME)]
-    usual = {dotted(ImbalanceInputs.crank_balance_fraction): 0.5, dotted(ImbalanceInputs.kinematics): "exact"}
-    document = document.with_value(dotted(Design.imbalance), usual | row.get("imbalance", {}))
+    half = {dotted(ImbalanceInputs.crank_balance_fraction): 0.5, dotted(ImbalanceInputs.kinematics): "exact"}
+    document = document.with_value(dotted(Design.imbalance), half | row.get("imbalance", {}))
     from ..solve import solve
     from .starter.bearings import share_said
     from .starter.build import begun, built, mounting  # numpy, which a list of the engines does not need
@@ -128,10 +128,10 @@ def engine_design(
         document = built(document, "imbalance", balancing)
     engine, imbalance = as_table(document.data["engine"]), as_table(document.data["imbalance"])
     title = str(document.data[NAME] if NAME in (changes or {}) else engine[NAME])
-    there = design(document).engine
-    assert there is not None
+    given = design(document).engine
+    assert given is not None
     with recorded(False):
-        runs = usual(there, document, row["kind"])
+        runs = usual(given, document, row["kind"])
     rest = f"{written(runs.gas)}\n[imbalance]\n{_lines(imbalance)}"
     body = f"[engine]\n{_lines(engine)}{lines(runs.rows)}{rest}"
     document = parse(_text(title, "", body).encode("utf-8"), name)

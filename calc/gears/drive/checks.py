@@ -147,7 +147,7 @@ REBOUND = CheckRule(
     Text("Backlash of a way over half the swing of the driver"),
     "<=",
     "",
-    Text("own survey: 80 random trains with and without rebound"),
+    Text("rule of this program: own survey of 80 random trains with and without rebound"),
     moved_by=(FLYWHEEL,),
 )
 ASSUMED = CheckRule(

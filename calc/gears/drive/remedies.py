@@ -19,7 +19,7 @@ from ...engine.load import CrankTorque
 from ...sheet.arrays import Array
 from ...sheet.check import THIN_MARGIN
 from ...sheet.deferred import Later
-from ...sheet.functions import cos, sin
+from ...sheet.functions import cos, inv, sin
 from ...sheet.quantity import described, dotted
 from ...sheet.record import record
 from ...sheet.remedy import Change, Remedy, change, digits, remedy, whole
@@ -47,6 +47,7 @@ from .survey import Survey, survey
 from .window import smallest_normal
 
 HALVINGS = 10
+RESERVE = 1e-3  # of a speed: the drag of the closed balance moves a little with what is changed
 HEAVIEST = 10.0  # times the inertia on the crank that is still looked at
 UNTIL = 1.5  # times idle: how far a scissor gear is asked to hold where nothing is said
 
@@ -291,7 +292,7 @@ class Strikes:
 
 
 def quiet_remedies(shop: Workshop, nominal: MetrePerSecond, most: MetrePerSecond | None = None) -> Iterator[Remedy]:
-    goal = Quiet(shop, nominal, most)
+    goal = Quiet(shop, nominal * (1 - RESERVE), most and most * (1 - RESERVE))
     yield from by_allowance(shop, goal)
     yield from by_centre_distance(shop, goal)
     yield from by_flywheel(shop, goal)
@@ -383,8 +384,7 @@ def _by_wheel(shop: Workshop, less: Mapping[int, int]) -> dict[str, int]:
 def by_centre_distance(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
     """Closer centres, where the shifts leave room for that.  Shifts that follow from the distance are written down, so
     that they stay."""
-    line, system = shop.now.line, shop.train.system
-    along = cos(system.base_helix_angle)
+    line, along = shop.now.line, cos(shop.train.system.base_helix_angle)
     slope = {i: 2 * sin(shop.train.meshes[line.links[i].key].working_pressure_angle) for i in shop.parting}  # of j
     room = {i: min(_room(shop, i) / along / slope[i], _closer(shop, i)) for i in shop.parting}
 
@@ -393,7 +393,7 @@ def by_centre_distance(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
 
     def less(share: Number) -> list[Metre]:
         of = closer(share)
-        return [of.get(i, 0.0) * slope.get(i, 0.0) for i in range(len(line.links))]
+        return [_with_closer(shop, i, of[i]) if i in of else 0.0 for i in range(len(line.links))]
 
     share = _least_share(shop, goal, less)
     if share is None:
@@ -409,6 +409,16 @@ def by_centre_distance(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
         x = digits(float(shop.train.wheels[name].profile_shift), 7)
         changes.append(change(Wheel, wheel_key(name, Wheel.profile_shift), x, place=name))
     yield remedy(*changes, effect=goal.effect(shop.with_less(less(share))))
+
+
+def _with_closer(shop: Workshop, i: int, da: Metre) -> Metre:
+    """By how much less the backlash of a mesh is along the line of action where its centres stand closer."""
+    mesh = shop.train.meshes[shop.now.line.links[i].key]
+    d_b1, d_b2 = (float(shop.train.wheels[name].base_diameter) for name in (mesh.driver, mesh.driven))
+    a = float(mesh.centre_distance)
+    with untraced():
+        now, then = (f.working_pressure_angle(d_b1, d_b2, distance) for distance in (a, a - da))
+    return (d_b1 + d_b2) * (inv(now) - inv(then))
 
 
 def _closer(shop: Workshop, i: int) -> Metre:

@@ -16,7 +16,7 @@ class Scissor:
         rule_of_thumb=(1, 20),
         help="Between both halves where the mesh has no backlash left.",
         repair="free",
-        change=("weaker spring", "stronger spring"),
+        change=("weaker spring", "stronger spring", "scissor gear"),
     )
     stiffness: float = quantity(
         "Rate of the spring",

@@ -51,6 +51,7 @@ from ...gears.rating.checks import (
 )
 from ...library.catalogue import Material
 from ...sheet.check import KINDS, Check
+from ...sheet.deferred import Later
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, part, tell
 from ...sheet.quantity import Quantity, dotted
@@ -448,6 +449,9 @@ def search(
     yield from (_locked(state, plan, group) for plan in every if plan.reason)
     free = [plan for plan in every if not plan.reason]
     known = set[tuple[str, ...]]()
+    for computed in _computed(state, step, group, progress):
+        known.add(computed.changes)
+        yield computed
     for n, plan in enumerate([*free, *([None] if not group or group[0].kind == "limit" else [])]):
         if time.monotonic() > ends:
             return
@@ -455,6 +459,20 @@ def search(
         way = _best(state, step, group, plan, here) if plan is not None else _whole_step(state, step, group, here)
         if way is not None and way.changes not in known:
             known.add(way.changes)
+            yield way
+
+
+def _computed(
+    state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None
+) -> Iterator[RepairOption]:
+    """Of a finding that computes its remedies when they are looked at each that helps; a kind has several of them."""
+    named = group[0].remedies if group else ()
+    if not isinstance(named, Later):
+        return
+    trials = Trials(state, step, group, Budget(TRIES), progress, group[0].name, FARTHEST, ROUND)
+    for changes in (dict(each.changes) for each in named if each.changes):
+        free = not any(locked(state.document.data, key) for key in changes)
+        if free and (way := _way(trials, changes)) is not None and _worth(trials, way):
             yield way
 
 

@@ -44,23 +44,19 @@ class Usual:
 
 
 def usual(engine: EngineInputs, document: Document, kind: str) -> Usual:
-    """Of an engine, whose document it is, what it does not give; no flywheel where the cycle without load is not solved.
+    """Of an engine and its document, what it does not give; no flywheel where the cycle without load is not solved.
 
-    An engine that has other strokes than its kind, or a torque diagram, is not told its gas."""
+    An engine that has other strokes than its kind, a torque diagram or unlike motions, is not told its gas."""
     known, of = house_table("engine_motion.toml")["usual"][kind], as_table(document.data[dotted(Design.engine)])
     words, rows, gas = known["words"], Rows(), list[Section]()
     slowest = dotted(EngineInputs.idle_speed)
     if engine.idle_speed is None and known[slowest] < 60 * engine.rated_speed:
         rows[EngineInputs.idle_speed] = (known[slowest], f"assumed: usual of {words}")
-    if engine.gas is None and not engine.torque and engine.strokes == (2 if kind == "two-stroke" else 4):
-        said = (f"assumed: usual of {words}", "assumed, as above")
-        keys = [key for key in KEYS if dotted(key) in known]
-        gas = [
-            (
-                head(Design.engine, EngineInputs.gas),
-                {key: (known[dotted(key)], said[i > 0]) for i, key in enumerate(keys)},
-            )
-        ]
+    alike = engine.strokes == (2 if kind == "two-stroke" else 4) and not engine.unlike_motions
+    if engine.gas is None and not engine.torque and alike:
+        pressures: Rows = {key: (known[dotted(key)], "assumed, as above") for key in KEYS if dotted(key) in known}
+        pressures[KEYS[0]] = (known[dotted(KEYS[0])], f"assumed: usual of {words}")
+        gas = [(head(Design.engine, EngineInputs.gas), pressures)]
     if engine.flywheel_inertia is None and (engine.gas is not None or gas):
         more = as_table(table([(head(Design.engine), rows), *gas])[dotted(Design.engine)])
         there = Document({"schema": SCHEMA, "name": "", dotted(Design.engine): {**of, **more}})
@@ -71,8 +67,8 @@ def usual(engine: EngineInputs, document: Document, kind: str) -> Usual:
 
 
 def flywheel(document: Document) -> tuple[KilogramMetre2 | None, Number]:
-    """The inertia, to two digits, with which an engine idles as unevenly as is usual of its number of cylinders; and that
-    irregularity.  None where its cycle without load is not solved."""
+    """The inertia, to two digits, with which an engine idles as unevenly as is usual of its number of cylinders; and
+    that irregularity.  None where its cycle without load is not solved."""
     made = design(document)
     engine, known = made.engine, solve(made).result(EngineResult)
     assert engine is not None and known is not None

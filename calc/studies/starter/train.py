@@ -123,8 +123,9 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
     known = {c.id for c in results.outcomes["countershaft"].checks if c.verdict in URGENT}
     struck: tuple[float, list[Section], list[Section]] | None = None  # with the speed of its strikes at idle
     hard = False  # whether strikes stopped one
+    weak = set[tuple[int, int, int]]()  # teeth that strikes break or pit however wide: smaller modules are weaker still
     for train in (replace(train, finer=finer) for finer in (False, True) for train in _trains(results.design, finer)):
-        if train.finer != hard:
+        if train.finer != hard or train.teeth in weak:
             continue
         for flanks in FLANKS:
             losses = _friction(results.design, results, flanks)
@@ -138,12 +139,14 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
             if all(outcome.state == "solved" for outcome in outcomes if outcome.state != "not_asked"):
                 if not stopping:
                     return wheels, losses
-                if train.finer and all(c.rule in OF_STRIKES and c.verdict == "warn" for c in stopping):
+                if train.finer and all(c.rule in OF_STRIKES and c.verdict != "fail" for c in stopping):
                     speed = next((c.value for c in stopping if c.rule is strikes.RATTLE), 0.0)
                     if not speed:
                         return wheels, losses
                     struck = (speed, wheels, losses) if struck is None or speed < struck[0] else struck
             hard = hard or any(c.rule in OF_STRIKES for c in stopping)
+            if train.face == WIDER[-1] and any(c.rule in OF_STRIKES and c.verdict == "fail" for c in stopping):
+                weak.add(train.teeth)
             why += [Text("{check}", check=c.name) for c in stopping[:1]]
             if not all(c.rule in OF_FLANKS for c in stopping):
                 break  # finer flanks do not help

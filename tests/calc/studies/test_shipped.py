@@ -16,13 +16,18 @@ import pytest
 
 from assistant.cli import main
 from assistant.session.saving import edited_text, fresh_text
-from calc.design.toml_file import design, parse, read
+from calc.design.toml_file import Document, design, parse, read
+from calc.engine.load import crank_torque
 from calc.imbalance.checks import COUPLE_LEFT
 from calc.solve import solve
 from calc.studies.ready import by_program
-from calc.studies.shipped import DESIGNS, _rows, engine_design, engines
+from calc.studies.shipped import DESIGNS, _rows, engine_alone, engine_design, engines
 from calc.studies.starter.balancing import what_shakes
+from calc.studies.starter.gas import usual
 from calc.studies.starter.journals import PSI
+from calc.studies.starter.train import OF_STRIKES
+from calc.studies.starter.writing import lines as lines_of
+from calc.studies.starter.writing import written as written_tables
 from tests.conftest import each_shipped
 
 ENGINES = engines()
@@ -324,17 +329,70 @@ def test_a_shipped_design_is_given_as_it_is(name):
     assert any(written(name) == path.read_text(encoding="utf-8") for path in DESIGNS.glob("*.toml"))
 
 
+# what the crank's irregularity does to usual teeth: struck hard, or graded C at idle
+STRUCK = ("single", "twin-360", "twin-180", "twin-270", "inline-3", "inline-4-cross")
+LOUD = ("single", "twin-360")
+INDICATED = {  # mean pressure in bar, at rated speed and full load
+    "petrol": (11, 12),
+    "petrol-charged": (16, 18),
+    "motorcycle": (11, 13),
+    "diesel-charged": (14, 16),
+    "diesel-industrial": (12, 13),
+}
+
+
+@pytest.mark.parametrize("name", SHAFT)
+def test_the_train_is_quiet_at_idle_where_a_usual_one_can_be(name):
+    made, results = solved(name)
+    drive = results.outcomes["gears"].result.drive
+    assert not drive.assumed and drive.grade == (3 if name in LOUD else 2)
+    finer = name in STRUCK
+    assert made.gears.accuracy_grade == (6 if finer else 7)
+    assert {mesh.tolerance for mesh in made.gears.meshes} == {20e-6 if finer else 40e-6}
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_gas_and_flywheel_are_usual_and_said_to_be_assumed(name):
+    """The brake mean pressure, by the friction of petrol and diesel engines, is that of such engines; the flywheel is
+    that with which it idles as unevenly as is usual."""
+    kind, alone = _rows()[name]["kind"], engine_alone(name, {})
+    runs = usual(design(alone).engine, alone, kind)
+    text = lines_of(runs.rows) + written_tables(runs.gas)
+    lines = {line.partition(" = ")[0]: line for line in text.splitlines()}
+    assert all("# assumed" in lines[key] for key in ("idle_speed_rpm", "peak_pressure_bar", "compression_ratio"))
+    assert ("flywheel_inertia_kgm2" in lines) == (kind != "two-stroke")
+    if kind == "two-stroke":
+        return
+    engine = alone.data["engine"] | tomllib.loads(text.replace("[engine.gas]", "[gas]"))
+    made = design(Document({"schema": 2, "name": name, "engine": engine}))
+    assert "# assumed: at idle" in lines["flywheel_inertia_kgm2"]
+    e, idle = solve(made).outcomes["engine"].result, made.engine.idle_speed
+    speeds, loads = np.array([idle, made.engine.rated_speed]), np.array([0.0, 1.0])
+    torque = crank_torque(made.engine, e, (), speeds, loads, idle=idle)
+    indicated = torque.mean[1] * 4 * math.pi / e.displacement / 1e5
+    low, high = INDICATED[kind]
+    assert low < indicated < high
+    # ΔE by the trapezoid rule over the cycle, of the series itself
+    angle = np.linspace(0, 4 * math.pi, 4001)
+    swing = np.real((torque.t[0] / (1j * torque.orders)) @ np.exp(1j * np.outer(torque.orders, angle)))
+    delta = np.ptp(swing) / (made.engine.flywheel_inertia * (2 * math.pi * idle) ** 2)
+    delta_usual = (0.10, 0.06, 0.05, 0.03, 0.03, 0.02)[min(made.engine.cylinders, 6) - 1]
+    assert 0.9 * delta_usual < delta <= delta_usual * 1.001
+
+
 @pytest.mark.parametrize("name", SHAFT)
 def test_a_shaft_is_begun_and_the_design_is_ready(name):
-    """No limit and no caution is open in any step, so that nothing is left to do before the report."""
+    """No limit fails, and no caution is open in any step but those of the strikes of its teeth."""
     made, results = solved(name)
     assert made.countershaft.mode == "size" and made.countershaft.speed_ratio == -1
+    struck = "warn" if name in STRUCK else "pass"
     assert {key: results.outcomes[key].verdict for key in STEPS} == {
         **dict.fromkeys(("engine", "imbalance"), "computed"),
         **dict.fromkeys(STEPS[2:], "pass"),
+        "gears": struck,
     }
-    assert results.verdict == "pass"
-    assert [c.id for c in results.checks() if c.kind in ("limit", "caution") and c.open] == []
+    assert results.verdict == struck
+    assert {c.rule for c in results.checks() if c.kind in ("limit", "caution") and c.open} <= set(OF_STRIKES)
     verdicts = {c.id: c.verdict for c in results.checks()}
     asked = ("residual", "residual_force", "slope_front", "slope_rear", "envelope_length")
     assert all(verdicts[f"countershaft.{id}"] == "pass" for id in (*asked, "holes.depth"))
@@ -427,7 +485,9 @@ def test_two_alike_take_the_order_and_do_not_roll_the_engine():
     assert right.repeats == left.name and made.imbalance.crank_balance_fraction == 0.5
     assert {results.outcomes[step].verdict for step in STEPS[2:]} == {"pass", "warn"}
     slips = {f"bearings.left.rear.{what}" for what in ("life_reference", "minimum_load")}
-    assert {c.id for c in results.checks() if c.kind in ("limit", "caution") and c.open} == slips, "needles at idle"
+    open_ = {c.id for c in results.checks() if c.kind in ("limit", "caution") and c.open and c.rule not in OF_STRIKES}
+    assert open_ == slips, "needles at idle"
+    assert all(c.verdict != "fail" for c in results.checks())
     values = results.values()
     assert values["countershaft.roll_torque_order_1"].shown == pytest.approx(0, abs=1e-6)
     # 1.5 % over, of 8272.7 N (half each)

@@ -4,9 +4,10 @@
 from dataclasses import replace
 from functools import cache
 
+from calc.design.operations import operations
 from calc.design.toml_file import design, read
 from calc.engine import solve as engine
-from calc.engine.operation import GasRow
+from calc.gears.drive.inputs import DragRow, DriveInputs
 from calc.gears.drive.line import ShaftBody
 from calc.gears.drive.solve import over_speed
 from calc.gears.drive.source import CrankAtWork
@@ -20,11 +21,15 @@ IDLE = 15.0  # 1/s
 @cache
 def r753_engine(flywheel=None):
     """Inputs and result; with a flywheel it has gas too, that of the design of its mounts."""
-    document = read(DESIGNS / "r753ie4_mounting.toml")
-    inputs = replace(design(document).engine, flywheel_inertia=flywheel)
+    inputs = replace(mounted().engine, flywheel_inertia=flywheel)
     if flywheel is None:
         inputs = replace(inputs, gas=None)
     return inputs, engine.solve(inputs, materials()).solution
+
+
+@cache
+def mounted():
+    return design(read(DESIGNS / "r753ie4_mounting.toml"))
 
 
 def on_shaft(J, with_wheel=True, **said):
@@ -34,12 +39,18 @@ def on_shaft(J, with_wheel=True, **said):
 
 def work(shafts, flywheel=None, **said):
     inputs, e = r753_engine(flywheel)
-    rows = said.pop("rows", () if flywheel is None else (GasRow(IDLE, 0.0, {}),))
+    rows = () if flywheel is None else operations(inputs, mounted().mounting)
     known = dict(rows=rows, idle=IDLE, ratio=1.0, front=None, shafts=shafts, friction=None) | said
     return CrankAtWork(engine=inputs, e=e, **known)
 
 
+def with_drag(gears, *rows):
+    """With measured drags: wheel, rpm, N·m."""
+    said = tuple(DragRow(wheel=wheel, speed=rpm / 60, torque=T) for wheel, rpm, T in rows)
+    return replace(gears, drive=DriveInputs(drag=said))
+
+
 def driven(shafts, gears=None, delta=0.02, order=1.5, **said):
-    """The drive of a train by an irregularity at rated speed; none where `delta` is None."""
+    """The drive of a train by an irregularity at rated speed; by gas or default where `delta` is None."""
     gears = replace(r753() if gears is None else gears, speed_irregularity=delta, irregularity_order=order)
     return over_speed(gears, solved(gears), work(shafts, **said), materials())
