@@ -74,7 +74,7 @@ UNIT_WORDS: dict[str, dict[str, Any]] = {
     "N·s/mm": {"N·s/mm": 1e3, "Ns/mm": 1e3, "N·s/m": 1.0, "Ns/m": 1.0},
     "km/h": {"km/h": 1 / 3.6, "m/s": 1.0},
     "m/s": {"m/s": 1.0, "mm/s": 1e-3, "km/h": 1 / 3.6, "ft/s": 12 * INCH},
-    "m/s²": {"m/s²": 1.0, "g": GRAVITY},
+    "m/s²": {"m/s²": 1.0, "g": GRAVITY}, "rad/s²": {"rad/s²": 1.0, "1/s²": 1.0},
     "N": FORCE, "kN": FORCE, "N·m": TORQUE, "N·mm": TORQUE,
     "N/m": {"N/m": 1.0, "N/mm": 1e3, "kN/m": 1e3, "N/µm": 1e6},
     "N·s/m": {"N·s/m": 1.0, "Ns/m": 1.0, "N·s/mm": 1e3, "Ns/mm": 1e3},

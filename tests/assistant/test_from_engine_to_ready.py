@@ -118,7 +118,8 @@ async def test_an_own_engine_comes_to_its_closing_page_within_sixty_keys(name, s
         assert "stroke" not in numbers or 2 * session.value("engine.crank_radius_mm") == float(numbers["stroke"])
 
 
-FAULTY = {"r753ie4_beta", "r753ie4_gamma", "r753ie4_mounting", "finotti_gear_sheet"}  # published designs that fail
+# published designs that fail
+FAULTY = {"r753ie4_beta", "r753ie4_gamma", "r753ie4_mounting", "r753ie4_drive_over_speed", "finotti_gear_sheet"}
 OWN = sorted(path for path in DESIGNS.glob("*.toml") if path.stem not in FAULTY)
 
 

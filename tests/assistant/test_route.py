@@ -34,7 +34,7 @@ def test_an_input_lies_where_it_says_and_else_where_its_table_lies() -> None:
     assert fold_at("gears", ("gears", "wheels", 0, "teeth"), {}) is None
     assert fold_at("gears", ("gears", "wheels", 0, "quality"), {}) == 1
     assert fold_at("gears", ("gears", "+1"), {}) is None, "a fold lies in none"
-    assert folds("gears") == ("More", "More of the wheels", "More of the meshes")
+    assert folds("gears") == ("More", "More of the wheels", "More of the meshes", "The drive over speed")
 
 
 def test_what_says_nothing_beside_a_choice_is_not_asked_for_unless_it_has_a_value() -> None:
