@@ -76,6 +76,7 @@ UNIT_WORDS: dict[str, dict[str, Any]] = {
     "m/s": {"m/s": 1.0, "mm/s": 1e-3, "km/h": 1 / 3.6, "ft/s": 12 * INCH},
     "m/s²": {"m/s²": 1.0, "g": GRAVITY}, "rad/s²": {"rad/s²": 1.0, "1/s²": 1.0},
     "N": FORCE, "kN": FORCE, "N·m": TORQUE, "N·mm": TORQUE,
+    "N·m/°": {"N·m/°": 180 / PI, "Nm/°": 180 / PI, "N·m/rad": 1.0, "Nm/rad": 1.0},
     "N/m": {"N/m": 1.0, "N/mm": 1e3, "kN/m": 1e3, "N/µm": 1e6},
     "N·s/m": {"N·s/m": 1.0, "Ns/m": 1.0, "N·s/mm": 1e3, "Ns/mm": 1e3},
     "N/mm": {"N/mm": 1e3, "N/m": 1.0, "kN/m": 1e3, "N/µm": 1e6}, "kN/mm": {"kN/mm": 1e6, "N/mm": 1e3, "N/µm": 1e6},
