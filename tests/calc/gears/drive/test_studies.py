@@ -13,6 +13,7 @@ from calc.gears.train import settle, tooth_system
 from calc.studies.compare import compare
 from calc.studies.compare_tables import sentences
 from calc.studies.drive.problem import Problem
+from calc.studies.explain import chain
 from calc.studies.sweep import sweep, varied
 from tests.calc.gears.drive.conftest import changed
 
@@ -32,6 +33,20 @@ def test_sweep_over_flywheel_and_centre_distance(over_speed, light):
     wide = changed(wide | {"gears.wheels.idler.profile_shift": -0.18})
     near, far = speeds(wide, "gears.meshes.idler_shaft.centre_distance_mm", "68.698,68.798")
     assert far > 1.05 * near
+
+
+@pytest.mark.parametrize(
+    "id",
+    [
+        "idler_shaft.idle.separation",
+        "idler_shaft.idle.least_force",
+        "idler_shaft.reversal_to",
+        "drive.backlash_quiet_b",
+    ],
+)
+def test_what_the_motion_does_rests_on_the_flywheel(over_speed, id):
+    keys = {key for link in chain(over_speed, f"gears.{id}") for key in link.inputs}
+    assert "engine.flywheel_inertia_kgm2" in keys
 
 
 def test_compare_says_the_tendency_of_one_engine_alone(over_speed, light):
