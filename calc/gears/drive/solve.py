@@ -313,11 +313,10 @@ def _masses(line: TrainOnLine) -> list[Kilogram]:
 
 def _drags(drive: Drive, p: int, judged: Survey) -> list[Newton]:
     """D_c of every mesh at a point of the survey."""
-    line, of = drive.line, drive.work.friction
+    line = drive.line
     D: list[Newton] = []
     for i, link in enumerate(line.links):
-        sources = () if of is None else of.sources(link.driven)
-        T_d = based_on(float(judged.bodies.drag[p, i]) * float(line.radius[i]), *sources)
+        T_d = based_on(float(judged.bodies.drag[p, i]) * float(line.radius[i]), *drive.drag_sources(link.driven))
         with about(Text("wheel {name}, drag", name=link.driven)):
             D.append(drag_on_line(T_d=T_d, r_b=line.radius[i]))
     for i in reversed(range(len(D))):
