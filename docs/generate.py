@@ -2,6 +2,7 @@
 """What the documents have from the program itself: `python docs/generate.py` writes the theory pages from the formulas
 of the code, the validation, the errata and the schema of designs."""
 
+import math
 import sys
 from contextlib import redirect_stdout
 from importlib import import_module
@@ -334,7 +335,7 @@ is too weak for that: **Γ**, inertia over drag, M·max(−x″)/D, is {gamma_1:
 mesh of γ then
 
 1. lets go of the driving flank, when the crank slows;
-2. flies across its backlash, that of the meshes before it added: {share:.0%} of what the crank swings, at mid-tolerance 130 µm in the last mesh;
+2. flies across its backlash, that of the meshes before it added: {share:.0%} of what the crank swings, at mid-tolerance {backlash:.0f} µm in the last mesh;
 3. strikes the coast flank, with up to {u:.0f} mm/s, and stays there until the crank gains;
 4. comes back to the driving flank: {impacts:.0f} strikes a cycle on {flanks:.0f} flanks.
 
@@ -364,8 +365,9 @@ engine the force tells a tendency, 20·lg(F/F₀) dB.
 ## The window of the backlash
 
 *From below*: no wheel may jam, so the nominal backlash needs what tolerance, runout, cold and heat can take. *From above*: it may not rattle (B at most), less what the largest running
-backlash has above the nominal one, and it turns the shaft against the crank, which leaves some of the couple. Of γ at idle A would need 47 µm along the line of action over all three
-meshes together, B 198; jamming asks for 170 and, with the tolerances as they are, rattle allows 65. The window is empty: closer tolerances or another remedy, not another nominal value.
+backlash has above the nominal one, and it turns the shaft against the crank, which leaves some of the couple. Of γ at idle A would need {quiet_a:.0f} µm along the line of action over all three
+meshes together, B {quiet_b:.0f}; jamming asks for {low_exact:.0f} of wheels without runout, for {window_low:.0f} with the runout of their grade, and with the tolerances as they are rattle allows {window_high:.0f}.
+The window is empty: closer tolerances or another remedy, not another nominal value.
 
 ## What helps
 
@@ -427,7 +429,15 @@ def rattle() -> str:
         max(of[f"gears.{mesh}.hardest.impact_force{end}"] for mesh in meshes) / 1e3 for end in ("_low", "")
     )
     wheels = ("crank", "central", "idler", "shaft")
+    exact = values(**{f"gears__wheels__{i}__runout_um": 0.0 for i in range(len(wheels))})
     return RATTLE.format(
+        backlash=sum(of[f"gears.{mesh}.backlash_nominal"] for mesh in meshes)
+        / math.cos(math.radians(of["gears.base_helix_angle"])),
+        quiet_a=of["gears.drive.backlash_quiet_a"],
+        quiet_b=of["gears.drive.backlash_quiet_b"],
+        low_exact=exact["gears.drive.window_low"],
+        window_low=of["gears.drive.window_low"],
+        window_high=of["gears.drive.window_high"],
         idle=of["gears.drive.idle_speed"],
         delta=of["gears.drive.idle.irregularity"],
         up=of["gears.drive.idle.acceleration_up"],

@@ -251,15 +251,15 @@ def test_the_map_has_a_row_for_each_speed_and_load(tmp_path, gamma_results):
     path = tmp_path / "map.csv"
     assert main(["export", str(GAMMA), "--csv", "--map", "-o", str(path)]) == 0
     rows = list(csv.DictReader(path.open(encoding="utf-8")))
-    speeds = [float(row["speed_rpm"]) for row in rows]
+    speeds = [float(row["speed [rpm]"]) for row in rows]
     assert len(rows) == 60 and speeds == sorted(speeds) and speeds[-1] == 2600.0  # by a default: one load
     for name, id in (
-        ("impact_speed_mm_s", "impact_speed"),
-        ("impact_force_low_N", "impact_force_low"),
-        ("impact_force_N", "impact_force"),
-        ("least_force_N", "least_force"),
+        ("impact_speed [mm/s]", "impact_speed"),
+        ("impact_force_low [N]", "impact_force_low"),
+        ("impact_force [N]", "impact_force"),
+        ("least_force [N]", "least_force"),
         ("separation", "separation"),
-        ("impact_power_W", "impact_power"),
+        ("impact_power [W]", "impact_power"),
     ):
         published = gamma_results.values()[f"gears.idler_shaft.idle.{id}"].shown
         assert float(rows[0][f"idler_shaft.{name}"]) == pytest.approx(published, rel=1e-6)

@@ -65,6 +65,7 @@ WORDS = {
     "hths": {"hths_mPas"},
     "unbalances": {"unbalances"},
     "gas": {"gas"},
+    "flywheel": {"flywheel_inertia_kgm2"},
     "inertia": {"inertia_kgm2"},
     "axis": {"axis_mm", "outer_radius_mm", "counterweight_radius_mm"},
     "direction": {"direction_deg"},

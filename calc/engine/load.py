@@ -34,7 +34,6 @@ from ..sheet.units import (
     RevPerSecond,
 )
 from ..sheet.value import based_on, untraced
-from . import formulas as f
 from .crank import firing
 from .cycle import MixedCycle
 from .gas import GasInputs
@@ -58,11 +57,17 @@ INTAKE = 0.1e5, 3.0e5  # Pa
 # --- formulas
 
 
+@formula("S_p", "kinematics: mean speed of the piston, that at rated speed by the speed")
+def piston_speed(u_m: MetrePerSecond, n: RevPerSecond, n_r: RevPerSecond) -> MetrePerSecond:
+    return u_m * n / n_r
+
+
 @formula(
     "p_mf",
-    "Heywood 1988, ch. 13: mean pressure of friction over speed, a + b·n + c·n² + d·S_p², fitted to the engine by κ",
+    "Heywood 1988, ch. 13: mean pressure of friction over speed, a_mf + b_mf·n + c_mf·n² + d_mf·S_p², fitted to the "
+    "engine by κ",
     unit="bar",
-    names={"kappa": "κ"},
+    names={"kappa": "κ", "a": "a_mf", "b": "b_mf", "c": "c_mf", "d": "d_mf"},
 )
 def friction_pressure(
     kappa: Number,
@@ -417,7 +422,7 @@ def friction_of(cylinder: Cylinder, gas: GasInputs, full: GasLine) -> tuple[Call
     b, c = row["speed_bar"] * 1e5 * 60 / 1000, row["square_bar"] * 1e5 * (60 / 1000) ** 2
 
     def rule(n: Array, kappa: float = 1.0) -> Array:
-        S_p = f.mean_piston_speed(s=cylinder.e.stroke, n=n)
+        S_p = piston_speed(u_m=cylinder.e.mean_piston_speed, n=n, n_r=cylinder.engine.rated_speed)
         pressure: Array = friction_pressure(kappa=kappa, n=n, S_p=S_p, a=a, b=b, c=c, d=d)
         return pressure
 

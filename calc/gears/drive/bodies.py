@@ -79,7 +79,7 @@ def drag_on_line(T_d: NewtonMetre, r_b: Metre) -> Newton:
 @formula("j", "geometry: free turn of the driven wheel along the transverse line of action", unit="µm")
 def play_on_line(phi_j: Radian, r_b: Metre) -> Metre:
     """>>> play_on_line(phi_j=0.0015, r_b=0.025)
-    3.75e-05
+    3.75...e-05
     """
     return phi_j * r_b
 

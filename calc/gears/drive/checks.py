@@ -86,6 +86,7 @@ STRIKE_CONTACT = CheckRule(
     source=Text("{strike}; {minimum}", strike=STRIKE, minimum=MINIMUM_H),
     role="physics",
     demand=True,
+    cause="gears.strikes",
     value_id=dotted("gears", "M", MeshOverSpeed.strike_safety_contact_low),
     moved_by=(FLYWHEEL, DISTANCE, *ALLOWANCES, FACE),
 )
@@ -95,7 +96,7 @@ STRIKE_CONTACT_MOST = CheckRule(
     "The truth lies between the soft and the stiff estimate.",
     source=STRIKE_CONTACT.source,
     demand=True,
-    cause=STRIKE_CONTACT.id,
+    cause=STRIKE_CONTACT.cause,
     value_id=dotted("gears", "M", MeshOverSpeed.strike_safety_contact_most),
     moved_by=STRIKE_CONTACT.moved_by,
 )
@@ -106,6 +107,7 @@ STRIKE_BENDING = CheckRule(
     source=Text("{strike}; {minimum}", strike=STRIKE, minimum=MINIMUM_F),
     role="physics",
     demand=True,
+    cause=STRIKE_CONTACT.cause,
     value_id=dotted("gears", "W", WheelStruck.strike_safety_bending_low),
     moved_by=(FLYWHEEL, FACE, CLASS),
 )
@@ -115,7 +117,7 @@ STRIKE_BENDING_MOST = CheckRule(
     "The truth lies between the soft and the stiff estimate.",
     source=STRIKE_BENDING.source,
     demand=True,
-    cause=STRIKE_BENDING.id,
+    cause=STRIKE_BENDING.cause,
     value_id=dotted("gears", "W", WheelStruck.strike_safety_bending_most),
     moved_by=STRIKE_BENDING.moved_by,
 )

@@ -53,7 +53,7 @@ UNTIL = 1.5  # times idle: how far a scissor gear is asked to hold where nothing
 
 
 @record
-class Variant:
+class ChangedDrive:
     """The same drive with another motion, backlash or split gears."""
 
     source: Source
@@ -64,8 +64,8 @@ class Variant:
 class Goal(Protocol):
     """What is asked of a variant."""
 
-    def reached(self, of: Variant) -> bool: ...
-    def effect(self, of: Variant) -> Text: ...
+    def reached(self, of: ChangedDrive) -> bool: ...
+    def effect(self, of: ChangedDrive) -> Text: ...
 
 
 # --- variants of a drive
@@ -76,7 +76,7 @@ class Workshop:
 
     def __init__(self, gears: GearsInputs, train: TrainResult, drive: DriveResult) -> None:
         self.gears, self.train, self.drive = gears, train, drive
-        self.now = Variant(drive.drive.source, drive.drive.line, drive.drive.springs)
+        self.now = ChangedDrive(drive.drive.source, drive.drive.line, drive.drive.springs)
 
     @cached_property
     def _torque(self) -> CrankTorque | None:
@@ -87,11 +87,11 @@ class Workshop:
     def _idle(self) -> tuple[Array, Array]:
         return np.array([float(self.drive.idle_speed)]), np.zeros(1)
 
-    def at_idle(self, of: Variant, corner: str = "nominal") -> Survey:
+    def at_idle(self, of: ChangedDrive, corner: str = "nominal") -> Survey:
         return self.surveyed(of, self._idle, self._torque, corner)
 
     def surveyed(
-        self, of: Variant, points: tuple[Array, Array], torque: CrankTorque | None, corner: str = "nominal"
+        self, of: ChangedDrive, points: tuple[Array, Array], torque: CrankTorque | None, corner: str = "nominal"
     ) -> Survey:
         def moved(speeds: Array, loads: Array) -> Motion:
             return of.source.moved(speeds, loads, torque)
@@ -99,23 +99,23 @@ class Workshop:
         with untraced():
             return survey(moved, of.line, self.drive.drive.drags, of.springs, *points, corner)
 
-    def hardest(self, of: Variant, corner: str = "nominal") -> MetrePerSecond:
+    def hardest(self, of: ChangedDrive, corner: str = "nominal") -> MetrePerSecond:
         """The hardest strike of any mesh at idle without load."""
         return float(self.at_idle(of, corner).impacts.speed.max())
 
-    def with_inertia(self, factor: Number) -> Variant:
+    def with_inertia(self, factor: Number) -> ChangedDrive:
         source = self.now.source
         assert source.J_E is not None
         return replace(self.now, source=replace(source, J_E=float(source.J_E) * factor))
 
-    def with_less(self, less: Sequence[Metre]) -> Variant:
+    def with_less(self, less: Sequence[Metre]) -> ChangedDrive:
         """`less` backlash of every mesh, along the line of action."""
         play = {
             corner: tuple(float(j) - off for j, off in zip(plays, less)) for corner, plays in self.now.line.play.items()
         }
         return replace(self.now, line=replace(self.now.line, play=play))
 
-    def with_springs(self, torques: Mapping[int, float]) -> Variant:
+    def with_springs(self, torques: Mapping[int, float]) -> ChangedDrive:
         line = self.now.line
         more = {
             i: Spring(Scissor(torque=T), float(line.radius[i]), float(line.play["most"][i])) for i, T in torques.items()
@@ -156,12 +156,12 @@ class Quiet:
     nominal: MetrePerSecond
     most: MetrePerSecond | None = None
 
-    def reached(self, of: Variant) -> bool:
+    def reached(self, of: ChangedDrive) -> bool:
         return self.shop.hardest(of) <= self.nominal and (
             self.most is None or self.shop.hardest(of, "most") <= self.most
         )
 
-    def effect(self, of: Variant) -> Text:
+    def effect(self, of: ChangedDrive) -> Text:
         u = self.shop.hardest(of)
         if u == 0:
             return Text("closed flanks at idle")
@@ -184,7 +184,7 @@ class Open:
 
     shop: Workshop
 
-    def ends(self, of: Variant) -> tuple[Metre, Metre]:
+    def ends(self, of: ChangedDrive) -> tuple[Metre, Metre]:
         """Of the way with the least room, along the line of action; an infinite upper end where nothing strikes."""
         shop, line = self.shop, of.line
         at = shop.at_idle(of)
@@ -205,11 +205,11 @@ class Open:
             least = min(least, (low, high), key=lambda ends: ends[1] - ends[0])
         return least
 
-    def reached(self, of: Variant) -> bool:
+    def reached(self, of: ChangedDrive) -> bool:
         low, high = self.ends(of)
         return low <= high
 
-    def effect(self, of: Variant) -> Text:
+    def effect(self, of: ChangedDrive) -> Text:
         low, high = self.ends(of)
         if high == math.inf:
             return Text("no upper end")
@@ -224,13 +224,13 @@ class Open:
 class Strong:
     """A safety under strikes, which `of_variant` gives."""
 
-    of_variant: Callable[[Variant], Number]
+    of_variant: Callable[[ChangedDrive], Number]
     least: Number
 
-    def reached(self, of: Variant) -> bool:
+    def reached(self, of: ChangedDrive) -> bool:
         return self.of_variant(of) >= self.least
 
-    def effect(self, of: Variant) -> Text:
+    def effect(self, of: ChangedDrive) -> Text:
         return Text("safety {S}", S=Amount(self.of_variant(of), form=".3g"))
 
 
@@ -249,7 +249,7 @@ class Strikes:
         source, of = self.shop.now.source, self.shop.drive.survey
         return None if source.J_E is None else source.torque(of.speeds, of.loads)
 
-    def _forces(self, of: Variant) -> list[tuple[float, dict[str, Array]]]:
+    def _forces(self, of: ChangedDrive) -> list[tuple[float, dict[str, Array]]]:
         """At idle and where they strike hardest: the speed of the crank, and the forces of all meshes."""
         what = float(of.source.J_E or 0.0), of.source.nose, of.line.play["nominal"]
         if what not in self._known:
@@ -263,7 +263,7 @@ class Strikes:
             ]
         return self._known[what]
 
-    def safety(self, of: Variant, name: str, estimate: str) -> Number:
+    def safety(self, of: ChangedDrive, name: str, estimate: str) -> Number:
         """The least of a mesh, by its key, against pitting, or of a wheel against tooth breakage."""
         found, line = [], self.shop.now.line
         for n, forces in self._forces(of):
@@ -489,7 +489,7 @@ def by_scissor(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
             yield remedy(*changes, effect=goal.effect(of))
 
 
-def _sprung(shop: Workshop, torques: Mapping[int, float], way: Sequence[int]) -> Variant:
+def _sprung(shop: Workshop, torques: Mapping[int, float], way: Sequence[int]) -> ChangedDrive:
     return shop.with_springs({i: torques[i] for i in way})
 
 

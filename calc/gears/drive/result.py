@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from ...sheet.quantity import Stated, group, result, value
+from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import (
     KilogramMetre2,
@@ -17,13 +18,11 @@ from ...sheet.units import (
     RevPerSecond,
     Watt,
 )
-from .spring import ScissorResult
 
 if TYPE_CHECKING:
     from ..rating.irregular import Irregular
     from .source import Drive
     from .survey import Survey
-    from .window import Window
 
 IDLE, IDLE_FULL, RATED, HARDEST = "idle", "idle_full", "rated", "hardest"
 OPERATIONS = {
@@ -74,6 +73,25 @@ class MeshAt:
 
 
 @result
+class ScissorResult:
+    """A split wheel in its mesh; what is None is not known."""
+
+    torque_least: NewtonMetre = value("Torque of the spring at the largest backlash", "N·m", "T_S")
+    needed: NewtonMetre = value("Torque that holds the flanks closed, idle, no load", "N·m", "T_S,min")
+    needed_range: NewtonMetre = value("Torque that holds them closed up to its speed, any load", "N·m", "T_S,min")
+    opens_at: RevPerSecond | None = value("Lowest speed at which they part, any load", "rpm", "n_o", default=None)
+    loss: Watt | None = value("Power that the spring costs in the mesh, at most", "W", "P_S", default=None)
+    main_safety_contact: Number | None = value("Main half: safety against pitting", "", "S_H", default=None)
+    main_safety_bending: Number | None = value("Main half: safety against tooth breakage", "", "S_F", default=None)
+    sprung_safety_contact: Number | None = value("Sprung half: safety against pitting", "", "S_H", default=None)
+    sprung_safety_bending: Number | None = value("Sprung half: safety against tooth breakage", "", "S_F", default=None)
+    wheel: str
+    width: Metre  # of the sprung half
+    to: RevPerSecond  # of the crank, up to which it shall hold
+    torque: NewtonMetre  # at no backlash
+
+
+@result
 class MeshOverSpeed:
     """One mesh over the range of speeds and loads."""
 
@@ -113,6 +131,21 @@ class WheelStruck:
     )
 
 
+@record
+class Window:
+    """Of one way, by the body that strikes last on it.  `by_phase`: whether the phase error rules its upper end."""
+
+    body: int
+    nominal: Metre
+    low: Metre
+    high: Metre | None  # None: its strikes never reach grade B's limit, and nothing else bounds it
+    quiet_a: Metre | None
+    quiet_b: Metre | None
+    by_phase: bool
+    taken: Mapping[str, Metre]  # by mesh: what tolerance, runout and temperature take of it
+    widened: Metre  # by how much the largest running backlash is above the nominal one
+
+
 @result
 class DriveResult:
     """The crank and the train behind it over speed and load."""
@@ -150,4 +183,4 @@ class DriveResult:
     at: Mapping[str, int]  # the published points in the survey
     meshes: Mapping[str, MeshOverSpeed]
     torques: "Irregular"  # what the rating takes
-    window: "Window | None" = None  # the way with the least room for its nominal backlash
+    window: Window | None = None  # the way with the least room for its nominal backlash

@@ -32,8 +32,9 @@ from ...sheet.units import (
 from ...sheet.value import about, based_on, untraced
 from ..inputs import GearsInputs
 from ..rating.load import RatingContext
+from .result import ScissorResult
 from .scissor_inputs import Scissor
-from .spring import ScissorResult, split_wheel, spring_force, spring_torque
+from .spring import split_wheel, spring_force, spring_torque
 from .strength import held
 
 USUAL_SHARE = 0.3  # of the face width, of the sprung half

@@ -21,9 +21,8 @@ from .notes import notes
 from .orders import error_by_load
 from .remedies import Strikes, Workshop, quiet_remedies
 from .remedies import notes as of_remedies
-from .result import HARDEST, IDLE, OPERATIONS, DriveResult, MeshAt, MeshOverSpeed, WheelStruck
+from .result import HARDEST, IDLE, OPERATIONS, DriveResult, MeshAt, MeshOverSpeed, ScissorResult, WheelStruck
 from .scissor import ScissorCase, scissor, scissor_checks
-from .spring import ScissorResult
 from .strength import StrikeRate, strike_rate
 from .strength import struck as under_strike
 from .tables import tables

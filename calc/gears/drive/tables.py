@@ -5,7 +5,7 @@ hardest, and how good those forces are."""
 from collections.abc import Iterator
 
 from ...engine.inputs import EngineInputs
-from ...sheet.quantity import dotted
+from ...sheet.quantity import ValueKey, dotted
 from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.text import EMPTY, Amount, Name, Text
@@ -220,12 +220,12 @@ def worst(drive: DriveResult, op: str) -> Worst:
 # --- the map, as a file has it
 
 MAP = (
-    ("separation", 1.0),
-    ("least_force_N", 1.0),
-    ("impact_speed_mm_s", MM_S),
-    ("impact_force_low_N", 1.0),
-    ("impact_force_N", 1.0),
-    ("impact_power_W", 1.0),
+    (MeshAt.separation, 1.0),
+    (MeshAt.least_force, 1.0),
+    (MeshAt.impact_speed, MM_S),
+    (MeshAt.impact_force_low, 1.0),
+    (MeshAt.impact_force, 1.0),
+    (MeshAt.impact_power, 1.0),
 )
 
 
@@ -233,17 +233,18 @@ def map_rows(drive: DriveResult) -> tuple[tuple[str, ...], list[list[float]]]:
     """Header and rows: every speed with every load, and what each mesh has there."""
     of, line = drive.drive.drawn(), drive.drive.line
     meshes = [i for i, link in enumerate(line.links) if link.toothed]
-    header = ("speed_rpm", "load_percent", *(f"{line.links[i].key}.{name}" for i in meshes for name, _ in MAP))
-    by_name = (
-        of.closed.separation,
-        of.closed.least,
-        of.impacts.speed,
-        of.impacts.low,
-        of.impacts.high,
-        of.impacts.power,
-    )
+    names = [_named(field) for field, _ in MAP]
+    header = ("speed [rpm]", "load [%]", *(f"{line.links[i].key}.{name}" for i in meshes for name in names))
+    hits = of.impacts
+    by_name = (of.closed.separation, of.closed.least, hits.speed, hits.low, hits.high, hits.power)
     rows = []
     for p in range(of.speeds.size):
         cells = [float(values[p, i]) * unit for i in meshes for values, (_, unit) in zip(by_name, MAP)]
         rows.append([float(of.speeds[p]) * RPM, 100.0 * float(of.loads[p]), *cells])
     return header, rows
+
+
+def _named(field: object) -> str:
+    """As the values are called, with the unit behind."""
+    assert isinstance(field, ValueKey), field
+    return f"{field.key} [{field.about.unit}]" if field.about.unit else field.key

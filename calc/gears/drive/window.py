@@ -21,7 +21,7 @@ from ...sheet.value import about, based_on, trace, untraced
 from ..result import TrainResult
 from .checks import grade_limits, window_check
 from .line import TrainOnLine
-from .result import IDLE, DriveResult
+from .result import IDLE, DriveResult, Window
 from .strikes import quiet_backlashes
 
 STATES = ("backlash_min_runout", "backlash_cold", "backlash_running", "backlash_warmer", "backlash_warming")
@@ -38,25 +38,15 @@ class MayLeave:
     most_force: Newton | None
 
 
-@record
-class Window:
-    """Of one way, by the body that strikes last on it.  `by_phase`: whether the phase error rules its upper end."""
-
-    body: int
-    nominal: Metre
-    low: Metre
-    high: Metre | None  # None: its strikes never reach grade B's limit, and nothing else bounds it
-    quiet_a: Metre | None
-    quiet_b: Metre | None
-    by_phase: bool
-    taken: Mapping[str, Metre]  # by mesh: what tolerance, runout and temperature take of it
-    widened: Metre  # by how much the largest running backlash is above the nominal one
-
-
 # --- formulas
 
 
-@formula("J", "mathematics: sum over the meshes of a way", unit="µm")
+@formula(
+    "J_Σ",
+    "mathematics: sum over the meshes of a way, J_v: of those before",
+    unit="µm",
+    names={"J": "J_v", "rho": "ρ_b"},
+)
 def with_mesh(J: Metre, j: Metre, rho: Number) -> Metre:
     """`rho`: from the mesh to the end of the way."""
     return J + j * rho
@@ -94,11 +84,11 @@ def quiet(J: Metre, u: MetrePerSecond) -> Metre:
     "J_hi",
     "rule of this program: nominal backlash whose largest, with tolerances and all warm, is just quiet enough",
     unit="µm",
-    names={"J_most": "J_run"},
+    names={"J_most": "J_run", "J": "J_Σ"},
 )
 def below_rattle(J_q: Metre, J_most: Metre, J: Metre) -> Metre:
     """>>> below_rattle(J_q=198e-6, J_most=264e-6, J=130e-6)
-    6.4e-05
+    6.39...e-05
     """
     return J_q - (J_most - J)
 
@@ -114,7 +104,9 @@ def phase_by_force(r_b: Metre, F: Newton, F_may: Newton) -> Metre:
     return 2 * r_b * asin(F_may / (2 * F))
 
 
-@formula("J_hi", "mathematics: the smaller one", unit="µm", names={"J_phi": "J_φ"})
+@formula(
+    "J_hi", "mathematics: the smaller one, by rattle and by phase", unit="µm", names={"J_hi": "J_r", "J_phi": "J_φ"}
+)
 def with_phase(J_hi: Metre, J_phi: Metre) -> Metre:
     return smallest(J_hi, J_phi)
 

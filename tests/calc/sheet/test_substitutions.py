@@ -24,7 +24,7 @@ WORDS = {
     "π": math.pi, "e": math.e, "i": 1j, "sin": np.sin, "cos": np.cos, "tan": np.tan, "arcsin": np.arcsin,
     "arccos": np.arccos,
     "arctan": np.arctan, "arsinh": np.arcsinh, "exp": np.exp, "ln": np.log, "ln1p": np.log1p, "lg": np.log10,
-    "tanh": np.tanh,
+    "tanh": np.tanh, "floor": np.floor,
     "erf": np.vectorize(math.erf), "inv": lambda x: np.tan(x) - x, "arg": np.angle, "conj": np.conj, "Im": np.imag,
     "Re": np.real,
     "max": lambda *x: np.max(x[0]) if len(x) == 1 else np.maximum.reduce(x),

@@ -331,7 +331,7 @@ def test_a_shipped_design_is_given_as_it_is(name):
 
 # what the crank's irregularity does to usual teeth: struck hard, or graded C at idle
 STRUCK = ("single", "twin-360", "twin-180", "twin-270", "inline-3", "inline-4-cross")
-LOUD = ("single", "twin-360")
+LOUD = ("single", "twin-360", "twin-270")  # their shafts carry a force, whose weight swings as well
 INDICATED = {  # mean pressure in bar, at rated speed and full load
     "petrol": (11, 12),
     "petrol-charged": (16, 18),

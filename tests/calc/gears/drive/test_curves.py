@@ -156,16 +156,16 @@ def test_the_map_begins_and_ends_with_what_is_published(results: Results) -> Non
     header, rows = map_rows(results.train.drive)
     assert len(rows) == 180 and len(header) == len(rows[0]) == 2 + 3 * 6
     first, last = dict(zip(header, rows[0])), dict(zip(header, rows[-1]))
-    assert (first["speed_rpm"], first["load_percent"]) == (900.0, 0.0)
-    assert (last["speed_rpm"], last["load_percent"]) == (2600.0, 100.0)
+    assert (first["speed [rpm]"], first["load [%]"]) == (900.0, 0.0)
+    assert (last["speed [rpm]"], last["load [%]"]) == (2600.0, 100.0)
     for row, op in ((first, "idle"), (last, "rated")):
         at = results.train.drive.meshes["central_idler"].operations[op]
         assert row["central_idler.separation"] == pytest.approx(at.separation, rel=1e-9)
-        assert row["central_idler.least_force_N"] == pytest.approx(at.least_force, rel=1e-9)
-        assert row["central_idler.impact_speed_mm_s"] == pytest.approx(at.impact_speed * 1e3, rel=1e-9)
-        assert row["central_idler.impact_force_low_N"] == pytest.approx(at.impact_force_low, rel=1e-6)
-        assert row["central_idler.impact_force_N"] == pytest.approx(at.impact_force, rel=1e-6)
-        assert row["central_idler.impact_power_W"] == pytest.approx(at.impact_power, rel=1e-9)
+        assert row["central_idler.least_force [N]"] == pytest.approx(at.least_force, rel=1e-9)
+        assert row["central_idler.impact_speed [mm/s]"] == pytest.approx(at.impact_speed * 1e3, rel=1e-9)
+        assert row["central_idler.impact_force_low [N]"] == pytest.approx(at.impact_force_low, rel=1e-6)
+        assert row["central_idler.impact_force [N]"] == pytest.approx(at.impact_force, rel=1e-6)
+        assert row["central_idler.impact_power [W]"] == pytest.approx(at.impact_power, rel=1e-9)
 
 
 # --- in words

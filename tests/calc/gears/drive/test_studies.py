@@ -26,6 +26,7 @@ def speeds(document, key, numbers):
     return [row[found.header.index("gears.drive.impact_speed [mm/s]")] for row in found.rows]
 
 
+@pytest.mark.slow
 def test_sweep_over_flywheel_and_centre_distance(over_speed, light):
     """A lighter flywheel strikes harder; centres farther apart strike harder where the shifts are given."""
     u = speeds(changed({}), "engine.flywheel_inertia_kgm2", "0.3,0.9")
