@@ -45,6 +45,7 @@ from .gears import solve as gears
 from .gears.curves import curves
 from .gears.drive.curves import curves as drive_curves
 from .gears.inputs import GearsInputs
+from .gears.rating.load import RatingContext
 from .gears.result import TrainResult
 from .gears.wheel import with_masses
 from .imbalance import solve as imbalance
@@ -564,10 +565,17 @@ def _rated(
             g = gears.with_drive(g, driven)
     power = h.power(inputs, f, parts)
     if power is None:
-        return part("gears", gears.struck, gears.not_rated(g, h.not_rated(f)), inputs, None)
+        return _struck(part, gears.not_rated(g, h.not_rated(f)), inputs, None)
     uneven = g.solution.drive.torques if g.solution.drive is not None else None
     rated = part("gears", gears.rating, inputs, g.solution, power, design.materials, h.around_gears(design, uneven))
     if rated.state != "solved":
         return gears.without(g, gears.RATING, rated.reason)
-    g = gears.with_forces(gears.merge(g, rated), inputs)
-    return part("gears", gears.struck, g, inputs, rated.solution.context)
+    return _struck(part, gears.with_forces(gears.merge(g, rated), inputs), inputs, rated.solution.context)
+
+
+def _struck(
+    part: Parts, g: Outcome[TrainResult], inputs: GearsInputs, context: RatingContext | None
+) -> Outcome[TrainResult]:
+    """With what the strikes do to the teeth; the train keeps its values where that has no solution."""
+    told = part("gears", gears.struck, g, inputs, context)
+    return told if told.state == "solved" else gears.without(g, gears.DRIVE, told.reason)

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from typing import ClassVar
 
 from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, series, table, tables, text
-from ..sheet.text import Text
+from ..sheet.text import Amount, Text
 from ..sheet.units import Kelvin
 from .drive.inputs import DragRow, DriveInputs
 from .drive.scissor_inputs import Scissor
@@ -655,6 +655,7 @@ class GearsInputs:
         if self.meshes or self.stages:
             yield from self._flow()
             yield from self._drags()
+            yield from self._halves()
         yield from self._shafts()
         yield from self._hands()
         if self.support_material is None:
@@ -706,6 +707,16 @@ class GearsInputs:
                     'there is no wheel "{name}"; the wheels are {names}', name=row.wheel, names=", ".join(self.along)
                 )
                 yield dotted(GearsInputs.drive, DriveInputs.drag, i, DragRow.wheel), none
+
+    def _halves(self) -> Iterable[tuple[str, Text]]:
+        """The sprung half of a split wheel leaves a main half."""
+        widths = {wheel.name: wheel.face_width or self.face_width for wheel in self.wheels}
+        for i, mesh in enumerate(self.meshes):
+            given = mesh.scissor.face_width if mesh.scissor is not None else None
+            b = min((widths[name] for name in (mesh.driver, mesh.driven) if name in widths), default=math.inf)
+            if given is not None and given >= b:
+                less = Text("must be below the {b} of the mesh", b=Amount(b * 1e3, "mm", form=".4g"))
+                yield dotted(GearsInputs.meshes, i, Mesh.scissor, Scissor.face_width), less
 
     def _shafts(self) -> Iterable[tuple[str, Text]]:
         """One wheel for each shaft."""

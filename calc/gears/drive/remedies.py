@@ -549,6 +549,8 @@ def notes(shop: Workshop) -> Iterator[Text]:
     if IDLE not in shop.drive.at or not shop.parting:
         return
     before = shop.at_idle(shop.now)
+    if not before.impacts.high.any():  # flanks that would part, were they not jammed
+        return
     i = int(np.argmax(before.impacts.high[0]))
     stiffness = list(shop.now.line.stiffness)
     e = _resin_share()

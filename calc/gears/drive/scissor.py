@@ -127,7 +127,7 @@ def scissor(given: Scissor, context: RatingContext, key: str, case: ScissorCase)
         T_S = spring_torque(T=given.torque, c_S=given.stiffness, j=case.backlash, r_b=r_b)
         needed = needed_torque(F=case.idle_force, r_b=r_b)
         to = given.to if given.to is not None else usual_range(n_i=case.idle_speed)
-        held_force, worst = spring_force(T_S=T_S, r_b=r_b), case.forces.min(axis=1)
+        held_force, worst = spring_force(T_S=T_S, r_b=r_b), based_on(case.forces.min(axis=1), case.forces)
         over_range = needed_torque(F=_least_up_to(to, case.speeds, worst, case.idle_force), r_b=r_b)
         opens = None
         if np.any(-worst > held_force):

@@ -313,11 +313,10 @@ def _masses(line: TrainOnLine) -> list[Kilogram]:
 
 def _drags(drive: Drive, p: int, judged: Survey) -> list[Newton]:
     """D_c of every mesh at a point of the survey."""
-    line, of = drive.line, drive.work.friction
+    line = drive.line
     D: list[Newton] = []
     for i, link in enumerate(line.links):
-        sources = () if of is None else of.sources(link.driven)
-        T_d = based_on(float(judged.bodies.drag[p, i]) * float(line.radius[i]), *sources)
+        T_d = based_on(float(judged.bodies.drag[p, i]) * float(line.radius[i]), *drive.drag_sources(link.driven))
         with about(Text("wheel {name}, drag", name=link.driven)):
             D.append(drag_on_line(T_d=T_d, r_b=line.radius[i]))
     for i in reversed(range(len(D))):
@@ -378,7 +377,8 @@ def _mesh_at(
     strikes, where they are shown line by line."""
     line, of, hits = drive.line, judged.closed, judged.impacts
     rho = float(judged.bodies.ratio[i])
-    down = at_mesh(alpha=-crank.acceleration_down, i_1=abs(drive.work.ratio), r_b1=line.first_radius, rho=rho)
+    slowing = based_on(-crank.acceleration_down, crank.acceleration_down)
+    down = at_mesh(alpha=slowing, i_1=abs(drive.work.ratio), r_b1=line.first_radius, rho=rho)
     up = at_mesh(alpha=crank.acceleration_up, i_1=abs(drive.work.ratio), r_b1=line.first_radius, rho=rho)
     Gamma = s.separation(M=M[i], a=down, D=D[i]) if D[i] > 0 else None
     least, largest = s.least_force(M=M[i], a=down, D=D[i]), s.most_force(M=M[i], a=up, D=D[i])
@@ -432,7 +432,7 @@ def _reversal(drive: Drive, judged: Survey, i: int) -> tuple[RevPerSecond | None
     if not np.any(least < 0):
         return None, None
     n = based_on(speeds, drive.work.idle, drive.work.engine.rated_speed)
-    F = based_on(least, *(drive.line.mass[k] for k in drive.line.path(i)))
+    F = based_on(least, judged.motion.a, *(drive.line.mass[k] for k in drive.line.path(i)))
     with about(Text("mesh {pair}, over speed and load", pair=drive.line.links[i].title)):
         return first_reversal(n=n, F=F), last_reversal(n=n, F=F)
 

@@ -14,7 +14,7 @@ from ...sheet.arrays import Array
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import KilogramMetre2, Metre, Number, RevPerSecond, Watt
-from ...sheet.value import untraced
+from ...sheet.value import based_on, untraced
 from ..inputs import GearsInputs
 from .crank import UnevenRow, given_motion, motion
 from .line import ShaftBody, TrainOnLine
@@ -86,7 +86,9 @@ class Source:
 
     def points(self, count: int = JUDGED) -> tuple[Array, Array]:
         """Speeds from idle to rated with every load."""
-        return grid(float(self.work.idle), float(self.work.engine.rated_speed), self.loads, count)
+        idle, rated = self.work.idle, self.work.engine.rated_speed
+        speeds, loads = grid(float(idle), float(rated), self.loads, count)
+        return based_on(speeds, idle, rated), loads
 
     def torque(self, speeds: Array, loads: Array) -> CrankTorque:
         work = self.work
@@ -119,6 +121,12 @@ class Drive:
 
     def survey(self, speeds: Array, loads: Array, corner: str = "nominal") -> Survey:
         return survey(self.source.moved, self.line, self.drags, self.springs, speeds, loads, corner)
+
+    def drag_sources(self, wheel: str) -> tuple[object, ...]:
+        """What the drag of a wheel stands on: what was measured of it, else the friction."""
+        given, friction = self.source.gears.drive, self.work.friction
+        rows = [row.torque for row in given.drag if row.wheel == wheel] if given is not None else []
+        return tuple(rows) if rows or friction is None else friction.sources(wheel)
 
     @property
     def taken(self) -> Text:

@@ -24,7 +24,7 @@ from ...sheet.units import (
     SquareMetrePerSecond,
     Watt,
 )
-from ...sheet.value import about
+from ...sheet.value import about, based_on
 from ..inputs import GearsInputs
 from ..result import TrainResult
 from .classes import StrengthClass, of_wheel
@@ -183,7 +183,7 @@ def loads(
 def least_over(T_m: NewtonMetre, swing: MeshTorques) -> NewtonMetre:
     """The least torque over the range of speeds and loads."""
     at = min(range(len(swing.slowing)), key=lambda p: abs(T_m) * swing.share[p] - swing.slowing[p])
-    return least_torque(T_m=T_m, k=swing.share[at], T_dyn=swing.slowing[at])
+    return least_torque(T_m=T_m, k=swing.share[at], T_dyn=based_on(swing.slowing[at], swing.dynamic))
 
 
 # --- what the rating of a train works with: what is known around the gears, and what is the same for all meshes

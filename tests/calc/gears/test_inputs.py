@@ -27,6 +27,10 @@ WRONG = [
     ({"gears.iso_6336_edition": 2010}, "iso_6336_edition", "2006 or 2019"),
     ({"gears.meshes.1.contributors_mm": [0.1], "gears.meshes.1.tolerance_um": None}, "stack", "either contributors_mm "
                                                                                               "or stack"),
+    ({"gears.meshes.2.scissor.torque_Nm": 4.0, "gears.meshes.2.scissor.wheel": "central"}, "2.scissor.wheel",
+     'must be "idler" or "shaft"'),
+    ({"gears.meshes.2.scissor.torque_Nm": 4.0, "gears.meshes.2.scissor.face_width_mm": 15.0}, "2.scissor.face_width_mm",
+     "below the 15 mm of the mesh"),
 ]  # fmt: skip
 
 

@@ -140,6 +140,15 @@ def test_resin_and_drag_are_said_beside(over_speed):
     assert str(resin) in noted and str(drag) in noted
 
 
+def test_a_train_that_jams_strikes_nothing_that_resin_would_soften():
+    wide = {f"gears.wheels.{name}.span_allowance_um": [200, 190] for name in ("crank", "central", "idler", "shaft")}
+    jammed = solve(design(changed(wide)), compared=False)
+    shop = shop_of(jammed)
+    assert shop.parting and not shop.at_idle(shop.now).impacts.high.any()
+    assert not list(notes(shop))
+    assert "nan" not in " ".join(str(note) for note in jammed.outcomes["gears"].notes)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("id", ["gears.shaft.strike_bending", "gears.idler_shaft.strike_contact_most"])
 def test_a_flywheel_that_spares_the_teeth(light, id):

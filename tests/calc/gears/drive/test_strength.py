@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.design.toml_file import design
+from calc.gears import solve as gears
 from calc.gears.drive.strength import (
     held,
     strike_cycles,
@@ -22,7 +23,10 @@ from calc.gears.drive.strength import (
     tangential_force_of,
     turns_between,
 )
+from calc.sheet.errors import NoSolution
+from calc.sheet.text import Text
 from calc.solve import solve
+from tests.calc.gears.drive.conftest import changed
 
 REFERENCE = json.loads((Path(__file__).parents[3] / "reference" / "drive.json").read_text(encoding="utf-8"))["given"]
 # R753, solution gamma: (rpm, N along the line of action): least S_H and S_F of all wheels, as the specification of the
@@ -253,3 +257,17 @@ def test_a_half_of_the_width_carries_as_a_whole_mesh_so_wide(context, gamma):
     assert ratio == pytest.approx(1.0, abs=0.02)  # the other wheel is as wide as before
     assert mesh.overlap_ratio < context.train.meshes["idler_shaft"].overlap_ratio
     assert half.strength.sides[1].loading == "pulsating" and half.strength.sides[0].loading == "reversed"
+
+
+# --- what has no solution
+
+
+def test_a_train_keeps_its_values_where_its_strikes_have_no_solution(monkeypatch):
+    def none(*_):
+        raise NoSolution(Text("strikes of this train"))
+
+    monkeypatch.setattr(gears, "struck_parts", none)
+    results = solve(design(changed({})), compared=False)
+    failed = results.check("gears.train.drive")
+    assert failed is not None and failed.verdict == "fail" and "strikes of this train" in str(failed.advice)
+    assert results.train.drive is not None and results.check("gears.idler_shaft.safety_contact") is not None

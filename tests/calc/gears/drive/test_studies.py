@@ -7,12 +7,15 @@ from types import SimpleNamespace
 
 import pytest
 
+from calc.design.toml_file import design
 from calc.gears.selection.rattle import RattleOfRows
 from calc.gears.selection.states import states
 from calc.gears.train import settle, tooth_system
+from calc.solve import solve
 from calc.studies.compare import compare
 from calc.studies.compare_tables import sentences
 from calc.studies.drive.problem import Problem
+from calc.studies.explain import chain
 from calc.studies.sweep import sweep, varied
 from tests.calc.gears.drive.conftest import changed
 
@@ -33,6 +36,28 @@ def test_sweep_over_flywheel_and_centre_distance(over_speed, light):
     wide = changed(wide | {"gears.wheels.idler.profile_shift": -0.18})
     near, far = speeds(wide, "gears.meshes.idler_shaft.centre_distance_mm", "68.698,68.798")
     assert far > 1.05 * near
+
+
+@pytest.mark.parametrize(
+    "id",
+    [
+        "idler_shaft.idle.separation",
+        "idler_shaft.idle.least_force",
+        "idler_shaft.reversal_to",
+        "idler_shaft.least_torque",
+        "drive.backlash_quiet_b",
+    ],
+)
+def test_what_the_motion_does_rests_on_flywheel_and_idle_speed(over_speed, id):
+    keys = {key for link in chain(over_speed, f"gears.{id}") for key in link.inputs}
+    assert {"engine.flywheel_inertia_kgm2", "engine.idle_speed_rpm"} <= keys
+
+
+def test_a_measured_drag_stands_in_place_of_the_bearings():
+    rows = [{"wheel": "shaft", "speed_rpm": 900.0, "torque_Nm": 0.3}]
+    results = solve(design(changed({"gears.drive.drag": rows})))
+    keys = {key for link in chain(results, "gears.idler_shaft.idle.separation") for key in link.inputs}
+    assert "gears.drive.drag.0.torque_Nm" in keys and not any(key.startswith("bearings") for key in keys)
 
 
 def test_compare_says_the_tendency_of_one_engine_alone(over_speed, light):
