@@ -334,7 +334,7 @@ is too weak for that: **Γ**, inertia over drag, M·max(−x″)/D, is {gamma_1:
 mesh of γ then
 
 1. lets go of the driving flank, when the crank slows;
-2. flies across its backlash, that of the meshes before it added: {share:.0%} of what the crank swings, at mid-tolerance 130 µm in the last mesh;
+2. flies across its backlash, that of the meshes before it added: {share:.0%} of what the crank swings, at mid-tolerance {J:.0f} µm in the last mesh;
 3. strikes the coast flank, with up to {u:.0f} mm/s, and stays there until the crank gains;
 4. comes back to the driving flank: {impacts:.0f} strikes a cycle on {flanks:.0f} flanks.
 
@@ -364,14 +364,14 @@ engine the force tells a tendency, 20·lg(F/F₀) dB.
 ## The window of the backlash
 
 *From below*: no wheel may jam, so the nominal backlash needs what tolerance, runout, cold and heat can take. *From above*: it may not rattle (B at most), less what the largest running
-backlash has above the nominal one, and it turns the shaft against the crank, which leaves some of the couple. Of γ at idle A would need 47 µm along the line of action over all three
-meshes together, B 198; jamming asks for 170 and, with the tolerances as they are, rattle allows 65. The window is empty: closer tolerances or another remedy, not another nominal value.
+backlash has above the nominal one, and it turns the shaft against the crank, which leaves some of the couple. Of γ at idle A would need {J_a:.0f} µm along the line of action over all three
+meshes together, B {J_b:.0f}; jamming asks for {J_lo:.0f} and, with the tolerances as they are, rattle allows {J_hi:.0f}. The window is empty: closer tolerances or another remedy, not another nominal value.
 
 ## What helps
 
 | remedy | γ at idle, no load |
 |---|---|
-| less backlash: span allowance, centre distance, shims, a coated idler | strikes go with the ⅔ power of a small backlash: half of it leaves 0.63 of speed and force |
+| less backlash: span allowance, centre distance (where the profile shifts are given: else they follow it), shims, a coated idler | strikes go with the ⅔ power of a small backlash: half of it leaves 0.63 of speed and force |
 | a heavier flywheel | twice as heavy: {heavy:.0f} mm/s, {heavy_letter}; three times: {heavier:.0f} mm/s, {heavier_letter}; so that the flanks never part: {gamma_1:.0f} times, no remedy |
 | a scissor gear in every mesh | closed with {T_1:.1f}, {T_2:.1f} and {T_3:.1f} N·m; in the last mesh alone, with 5.5 N·m, {one:.0f} mm/s are left of the others, and it costs {loss:.0f} W at rated speed |
 | a resin rim | speed and grade stay; the force falls to about a quarter (5 GPa on steel: −12.6 dB; a maker prints about −15). Its strength is not rated here |
@@ -459,6 +459,10 @@ def rattle() -> str:
         ford=printed["Ford 6.8 V10"],
         mitsubishi=printed["Mitsubishi 4M41"],
         agco=printed["AGCO Power 44 49"],
+        J_a=of["gears.drive.backlash_quiet_a"],
+        J_b=of["gears.drive.backlash_quiet_b"],
+        J_lo=of["gears.drive.window_low"],
+        J_hi=of["gears.drive.window_high"],
         heavy=heavy[speed],
         heavy_letter=grade_letter(heavy[grade]),
         heavier=heavier[speed],
