@@ -334,7 +334,7 @@ is too weak for that: **Γ**, inertia over drag, M·max(−x″)/D, is {gamma_1:
 mesh of γ then
 
 1. lets go of the driving flank, when the crank slows;
-2. flies across its backlash, that of the meshes before it added: {share:.0%} of what the crank swings, at mid-tolerance {J:.0f} µm in the last mesh;
+2. flies across its backlash, that of the meshes before it added: {share:.0%} of what the crank swings, at mid-tolerance 130 µm in the last mesh;
 3. strikes the coast flank, with up to {u:.0f} mm/s, and stays there until the crank gains;
 4. comes back to the driving flank: {impacts:.0f} strikes a cycle on {flanks:.0f} flanks.
 
