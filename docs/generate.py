@@ -373,7 +373,7 @@ The window is empty: closer tolerances or another remedy, not another nominal va
 
 | remedy | γ at idle, no load |
 |---|---|
-| less backlash: span allowance, centre distance, shims, a coated idler | strikes go with the ⅔ power of a small backlash: half of it leaves 0.63 of speed and force |
+| less backlash: span allowance, centre distance (where the profile shifts are given: else they follow it), shims, a coated idler | strikes go with the ⅔ power of a small backlash: half of it leaves 0.63 of speed and force |
 | a heavier flywheel | twice as heavy: {heavy:.0f} mm/s, {heavy_letter}; three times: {heavier:.0f} mm/s, {heavier_letter}; so that the flanks never part: {gamma_1:.0f} times, no remedy |
 | a scissor gear in every mesh | closed with {T_1:.1f}, {T_2:.1f} and {T_3:.1f} N·m; in the last mesh alone, with 5.5 N·m, {one:.0f} mm/s are left of the others, and it costs {loss:.0f} W at rated speed |
 | a resin rim | speed and grade stay; the force falls to about a quarter (5 GPa on steel: −12.6 dB; a maker prints about −15). Its strength is not rated here |

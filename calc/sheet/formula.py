@@ -16,6 +16,7 @@ import linecache
 import textwrap
 from collections.abc import Callable
 from functools import cache
+from threading import Lock
 from typing import TYPE_CHECKING, Any, Generic, ParamSpec, TypeVar, get_type_hints, overload
 
 from .text import Text
@@ -127,6 +128,9 @@ def _returned(function: Callable[..., object]) -> str:
     return ast.unparse(last.value) if isinstance(last, ast.Return) and last.value else "…"
 
 
+ONE_AT_A_TIME = Lock()  # two threads that parse at once end in a SystemError of Python 3.11 (gh-106905)
+
+
 def definition(function: Callable[..., object]) -> ast.FunctionDef | None:
     """The source of a function, parsed; None where it is not at hand.
 
@@ -143,7 +147,8 @@ def definition(function: Callable[..., object]) -> ast.FunctionDef | None:
             source = textwrap.dedent(inspect.getsource(function))
         except (OSError, TypeError):
             return None
-    parsed = ast.parse(source).body[0]
+    with ONE_AT_A_TIME:
+        parsed = ast.parse(source).body[0]
     assert isinstance(parsed, ast.FunctionDef)
     return parsed
 

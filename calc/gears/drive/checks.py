@@ -128,7 +128,6 @@ BACKLASH_WINDOW = CheckRule(
     sense="<=",
     unit="µm",
     source=Text("rule of this program: from below what tolerance, runout and temperature take, from above grade B"),
-    cause=RATTLE.cause,
     value_id=dotted("gears", "drive", DriveResult.window_low),
     limit_id=dotted("gears", "drive", DriveResult.window_high),
 )
@@ -218,7 +217,7 @@ def strength_checks(
             ways = stronger(key, "low")
             yield STRIKE_CONTACT(low, S_H_LEAST, at=key, name=soft, missing=missing, index=index[key], remedies=ways)
         if most is not None:
-            hard, missing = Text("{name}, high force", name=name), lack(drive.assumed, taken, most)
+            hard, missing = Text("{name}, high force, largest backlash", name=name), lack(drive.assumed, taken, most)
             ways = stronger(key, "most")
             yield STRIKE_CONTACT_MOST(
                 most, S_H_LEAST, at=key, name=hard, missing=missing, index=index[key], remedies=ways
@@ -231,7 +230,7 @@ def strength_checks(
             ways = stronger(of, "low")
             yield STRIKE_BENDING(low, S_F_LEAST, at=of, name=soft, missing=missing, remedies=ways)
         if most is not None:
-            hard, missing = Text("{name}, high force", name=name), lack(drive.assumed, taken, most)
+            hard, missing = Text("{name}, high force, largest backlash", name=name), lack(drive.assumed, taken, most)
             ways = stronger(of, "most")
             yield STRIKE_BENDING_MOST(most, S_F_LEAST, at=of, name=hard, missing=missing, remedies=ways)
 

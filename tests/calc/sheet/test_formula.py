@@ -1,8 +1,11 @@
 """The formula mechanism: calling, recording, and rendering from the expression itself."""
 
+import gc
 import inspect
 import pydoc
 import re
+import time
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -12,7 +15,7 @@ from hypothesis import strategies as st
 from calc.library.journal_rules import specific_load
 from calc.sheet import expression
 from calc.sheet.expression import line_json, line_text, symbol
-from calc.sheet.formula import Formula, formula
+from calc.sheet.formula import FORMULAS, Formula, definition, formula
 from calc.sheet.functions import cis, exp, pi, sqrt, total
 from calc.sheet.units import Kilogram, Metre, Newton, Number, Pascal, Radian
 from calc.sheet.value import about, trace, untraced
@@ -285,3 +288,21 @@ def test_a_formula_keeps_the_signature_of_its_function():
 
 def test_ones_that_only_carry_a_unit_are_not_written():
     assert line_text(only(of_ones, 3.0, 2.0))[:2] == ("w = u − (a − u)", "= 3 − (2 − 3) = 4")
+
+
+def test_threads_that_write_at_once_do_not_disturb_each_other():
+    """The collector gives the interpreter to another thread while one of them parses."""
+    functions = [each.function for each in list(FORMULAS.values())[:150]]
+
+    def parse(_):
+        return [definition(function) is not None for function in functions]
+
+    before = gc.get_threshold()
+    gc.set_threshold(20)
+    gc.callbacks.append(give_way := lambda *_: time.sleep(0))
+    try:
+        with ThreadPoolExecutor(4) as threads:
+            assert all(map(all, threads.map(parse, range(4))))
+    finally:
+        gc.callbacks.remove(give_way)
+        gc.set_threshold(*before)

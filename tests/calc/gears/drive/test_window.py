@@ -84,7 +84,7 @@ def test_upper_end_of_a_whole_design(over_speed):
     assert plays == pytest.approx([130, 264], abs=0.5)
     assert values["gears.drive.window_high"].shown == pytest.approx(quiet[1] - (plays[1] - plays[0]), rel=1e-9)
     check = over_speed.check("gears.drive.backlash_window")
-    assert check.verdict == "warn" and check.cause == over_speed.check("gears.crank_central.rattle").cause
+    assert check.verdict == "warn" and not check.cause  # shut by far, it would stand before the rattle and its remedies
     assert "crank–central–idler–shaft, from above rattle" in check.name and "shut by 166 µm" in check.to_do
     assert (check.value, check.limit) == (
         values["gears.drive.window_low"].shown,

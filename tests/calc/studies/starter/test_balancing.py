@@ -58,8 +58,7 @@ def test_a_shaft_takes_what_the_half_on_the_crank_leaves() -> None:
 
 def test_what_offsets_turn_from_the_pins_is_not_said_to_be_taken() -> None:
     """A VR6: half on the crank leaves more of what turns forward than there was, and the shaft at −ω as much."""
-    vr6 = engine("v6-60")
-    vr6 = vr6.with_value("engine.gas", None)  # that of cylinders which move alike
+    vr6 = engine("v6-60").with_value("engine.gas", None)  # which is that of cylinders of one motion
     for key, value in {
         "bank_angle_deg": 10.8,
         "bank_of_cylinder": [0, 1, 0, 1, 0, 1],

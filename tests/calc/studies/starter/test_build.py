@@ -90,6 +90,16 @@ def test_an_own_engine_is_ready_step_by_step(engine: Table) -> None:
     assert choice_made(document) == "shaft"
 
 
+@pytest.mark.slow
+def test_a_train_that_rattles_is_built_with_its_cautions() -> None:
+    """No train of a single is quiet: one is written all the same, with nothing open but what its strikes do."""
+    results = solved(parse(engine_design("single").encode("utf-8"), "own"))
+    open_ = open_findings(results)
+    assert "gears.crank_central.rattle" in open_ and "gears.drive.backlash_window" in open_
+    assert all(id.startswith("gears.") and ("strike" in id or "rattle" in id or "window" in id) for id in open_)
+    assert results.outcomes["gears"].verdict == "warn" and results.outcomes["friction"].verdict == "pass"
+
+
 def test_a_step_is_built_around_what_is_there() -> None:
     """Bearings for a given shaft: at its places, as wide as its sectors ask, in the housing of its wheels."""
     gamma = read(DESIGNS / "r753ie4_gamma.toml")
