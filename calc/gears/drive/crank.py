@@ -39,7 +39,7 @@ from ...sheet.units import (
     RevPerSecond,
 )
 from ...sheet.value import based_on
-from .motion import Motion
+from .motion import Motion, peak
 
 PhasorRadPerSecond2 = Annotated[complex, "rad/s²"]
 PhasorRadiansPerSecond2 = Annotated[ComplexArray, "rad/s²"]
@@ -143,17 +143,7 @@ def extremes(a: ComplexArray, n: Array, cycle: Radian, integrals: int = 0) -> tu
     a = np.atleast_2d(a)
     series = Motion(np.asarray(n), a, np.ones(len(a)), float(cycle))
     y = series.over(series.nodes(series.period), integrals)
-    return -refined(-y), refined(y)
-
-
-def refined(y: Array) -> Array:
-    """The largest over evenly spaced nodes of a period (…, K): the top of the parabola through three."""
-    i = np.argmax(y, axis=-1)[..., None]
-    before, top, after = (np.take_along_axis(y, (i + step) % y.shape[-1], -1)[..., 0] for step in (-1, 0, 1))
-    bend = before - 2 * top + after
-    bent = bend < 0
-    most: Array = top - np.where(bent, (before - after) ** 2, 0.0) / (8 * np.where(bent, bend, 1.0))
-    return most
+    return -peak(-y), peak(y)
 
 
 # --- from the torque

@@ -16,7 +16,7 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.value import untraced
 from .checks import grade_limits
 from .result import HARDEST, IDLE, DriveResult
-from .source import Drive
+from .source import Drive, Source
 from .strikes import course
 from .survey import Survey
 
@@ -27,7 +27,10 @@ SPIKE = 0.35  # of the backlash: the mark of the hardest strike of a cycle
 LANE = 0.4  # half the height of a zone
 
 
-def load_words(load: float) -> Text:
+def load_words(source: Source, load: float) -> Text:
+    """An irregularity that is given or taken is the same at any load."""
+    if source.J_E is None:
+        return Text("any load")
     return LOAD_WORDS.get(load, Text("load {percent}", percent=Amount(100 * load, "%", form=".0f")))
 
 
@@ -49,7 +52,7 @@ def strikes_over_speed(drive: DriveResult) -> Curve:
     map_ = drive.drive.drawn()
     u = map_.impacts.speed.max(axis=1) * MM_S
     series = [
-        Series(load_words(load), map_.speeds[map_.loads == load] * RPM, u[map_.loads == load])
+        Series(load_words(drive.drive.source, load), map_.speeds[map_.loads == load] * RPM, u[map_.loads == load])
         for load in drive.drive.source.loads
     ]
     ends = [(mesh.reversal_from, mesh.reversal_to) for mesh in drive.meshes.values()]
@@ -114,7 +117,9 @@ def _cycle(drive: Drive, speeds: Array, body: int, op: str, part: str, step: int
         of = drive.survey(np.array([n]), np.array([load]))
         epsilon, y, F = course(of.motion, of.bodies, 0, body)
     degrees = np.degrees(epsilon)
-    words = dict(pair=drive.line.links[body].title, n=Amount(n * RPM, "rpm", form=".0f"), load=load_words(load))
+    words = dict(
+        pair=drive.line.links[body].title, n=Amount(n * RPM, "rpm", form=".0f"), load=load_words(drive.source, load)
+    )
     x_label, stack = axis_label("crank", "°"), f"cycle_{op}"
     if part == "force":
         return Curve(

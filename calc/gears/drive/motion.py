@@ -7,6 +7,7 @@ does not act back on it but through its inertia."""
 
 import math
 from dataclasses import replace
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -17,6 +18,8 @@ from ...sheet.record import record
 from ...sheet.units import Radian
 
 FEWEST_NODES, NODES_A_WAVE = 120, 15
+FITS, FINEST = 1e-6, 20  # of a step; denominator of an order that fits into no cycle
+TURN = 2 * math.pi
 
 
 @record
@@ -31,10 +34,15 @@ class Motion:
 
     @cached_property
     def period(self) -> Radian:
-        """The angle of the crank after which the motion repeats itself."""
-        steps = np.round(self.orders * self.cycle / (2 * math.pi)).astype(int)
-        there = steps[np.any(self.a != 0, axis=0)]
-        return self.cycle / int(np.gcd.reduce(there)) if there.size else self.cycle
+        """The angle of the crank after which the motion repeats itself: a part of the cycle, or where orders are given
+        that do not fit into it, what all of them fit into."""
+        there = self.orders[np.any(self.a != 0, axis=0)]
+        steps = there * self.cycle / TURN
+        if np.all(np.abs(steps - np.round(steps)) < FITS):
+            return self.cycle / int(np.gcd.reduce(np.round(steps).astype(int))) if there.size else self.cycle
+        given = [Fraction(float(order)).limit_denominator(FINEST) for order in there]
+        whole = math.lcm(*(order.denominator for order in given))
+        return TURN * whole / math.gcd(*(int(order * whole) for order in given))
 
     def nodes(self, period: Radian) -> Array:
         """Angles of the crank over a period, K of them, the end left out."""

@@ -22,8 +22,6 @@ from .motion import Motion
 from .spring import Spring
 from .survey import DRAWN, JUDGED, Drags, Survey, grid, survey
 
-TURN = 2 * math.pi
-
 
 class Balance(Protocol):
     """The closed balance of the friction, as far as the drive asks it."""
@@ -75,15 +73,6 @@ class Source:
     def assumed(self) -> bool:
         return self.J_E is None and not said(self.gears)
 
-    @property
-    def cycle(self) -> float:
-        """That of the engine; of one given order that does not fit into it, the nearest one that it does fit into."""
-        cycle, orders = self.work.engine.strokes * math.pi, {float(row.order) for row in self.rows}
-        if len(orders) != 1:
-            return cycle
-        (order,) = orders
-        return max(1, round(cycle * order / TURN)) * TURN / order
-
     def points(self, count: int = JUDGED) -> tuple[Array, Array]:
         """Speeds from idle to rated with every load."""
         idle, rated = self.work.idle, self.work.engine.rated_speed
@@ -98,7 +87,7 @@ class Source:
         """Of the first driver; `torque`: at these points, where it is there already."""
         i_1 = abs(self.work.ratio)
         if self.J_E is None:
-            return given_motion(self.rows, speeds, self.cycle, self.r_1, i_1)
+            return given_motion(self.rows, speeds, self.work.engine.strokes * math.pi, self.r_1, i_1)
         torque = self.torque(speeds, loads) if torque is None else torque
         return motion(torque, speeds, self.J_E, self.r_1, i_1, twist=self.work.engine.crank_twist, nose=self.nose)
 

@@ -66,7 +66,7 @@ def point_words(drive: DriveResult, op: str) -> Text:
     """`900 rpm, no load`."""
     p = drive.at[op]
     n = Amount(float(drive.survey.speeds[p]) * RPM, "rpm", form=".0f")
-    return Text("{n}, {load}", n=n, load=load_words(float(drive.survey.loads[p])))
+    return Text("{n}, {load}", n=n, load=load_words(drive.drive.source, float(drive.survey.loads[p])))
 
 
 def _force(at: MeshAt) -> Text | None:

@@ -56,6 +56,7 @@ class RatingLoad:
     of_peak: bool = False  # rated with the peak of mean and dynamic torque, not with K_A times the mean
     assumed: bool = False  # K_A is the usual one: neither it nor the irregularity is known
     at_worst: Number = UNEVEN  # K_A then, at its worst
+    worst_reverses: bool = False  # whether the torque changes its sign then
 
     @property
     def reverses(self) -> bool:
@@ -173,7 +174,17 @@ def loads(
                 rated[key] = RatingLoad(T_m, T_dyn, T_min, T_m, gears.application_factor)
             elif T_dyn is None:
                 worst = UNEVEN if swing is None or not T_m else max(USUAL, 1 + swing.dynamic / abs(T_m))
-                rated[key] = RatingLoad(T_m, None, None, T_m, usual_application_factor(), assumed=True, at_worst=worst)
+                turns = swing is not None and _least_of(T_m, swing)[0] < 0
+                rated[key] = RatingLoad(
+                    T_m,
+                    None,
+                    None,
+                    T_m,
+                    usual_application_factor(),
+                    assumed=True,
+                    at_worst=worst,
+                    worst_reverses=turns,
+                )
             else:
                 peak = peak_torque(T_m=T_m, T_dyn=T_dyn)
                 rated[key] = RatingLoad(T_m, T_dyn, T_min, peak, factor_of_peak(), of_peak=True)
@@ -182,8 +193,13 @@ def loads(
 
 def least_over(T_m: NewtonMetre, swing: MeshTorques) -> NewtonMetre:
     """The least torque over the range of speeds and loads."""
-    at = min(range(len(swing.slowing)), key=lambda p: abs(T_m) * swing.share[p] - swing.slowing[p])
+    _, at = _least_of(T_m, swing)
     return least_torque(T_m=T_m, k=swing.share[at], T_dyn=based_on(swing.slowing[at], swing.dynamic))
+
+
+def _least_of(T_m: NewtonMetre, swing: MeshTorques) -> tuple[float, int]:
+    """The same as a number, and at which operating point it is."""
+    return min((abs(float(T_m)) * k - T, at) for at, (k, T) in enumerate(zip(swing.share, swing.slowing)))
 
 
 # --- what the rating of a train works with: what is known around the gears, and what is the same for all meshes

@@ -112,15 +112,19 @@ def rating(
 def _if_uneven(
     context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping[str, RatingLoad]
 ) -> dict[str, MeshStrength]:
-    """The strengths at the application factor of the worst irregularity; none where it is not assumed."""
+    """The strengths at the application factor of the worst irregularity, which may load the roots from both sides; none
+    where it is not assumed."""
+    worst = {}
     with recorded(False):
-        return {
-            key: loaded(
-                context, context.train.meshes[key], _nominal_of(rating), load[key].at_worst, rating.strength.sides
-            ).strength
-            for key, rating in rated.items()
-            if load[key].assumed and rating.strength is not None
-        }
+        for key, rating in rated.items():
+            if not load[key].assumed or rating.strength is None:
+                continue
+            driver, driven = rating.strength.sides
+            if load[key].worst_reverses:
+                driver, driven = (replace(of, loading=loading_of(0, 0, reverses=True)) for of in (driver, driven))
+            of_mesh, K_A = context.train.meshes[key], load[key].at_worst
+            worst[key] = loaded(context, of_mesh, _nominal_of(rating), K_A, (driver, driven)).strength
+    return worst
 
 
 # --- one mesh

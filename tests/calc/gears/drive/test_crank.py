@@ -170,6 +170,18 @@ def test_rows_of_several_orders_stand_each_by_itself():
     assert orders.tolist() == [1, 2] and (np.abs(alpha) > 0).tolist() == [[True, False], [True, True], [False, True]]
 
 
+@pytest.mark.parametrize(("orders", "turns"), [((0.7, 1.3), 10), ((1.5, 2.2), 10), ((1.7,), 1 / 1.7), ((0.5, 3), 2)])
+def test_orders_that_do_not_fit_the_cycle_have_a_period_of_their_own(orders, turns):
+    rows = [UnevenRow(speed=10.0 * (i + 1), delta=0.05, order=order) for i, order in enumerate(orders)]
+    moved = crank.given_motion(rows, np.array([15.0]), 4 * math.pi, 0.025)
+    assert moved.cycle == 4 * math.pi and moved.period == pytest.approx(2 * math.pi * turns, rel=1e-12)
+    epsilon = np.linspace(0.0, 2 * math.pi * turns, 20001)
+    wave = moved.over(epsilon)[0]
+    assert wave[-1] == pytest.approx(wave[0], rel=1e-9)
+    least, most = extremes(moved.a, moved.orders, moved.cycle)
+    assert (least[0], most[0]) == pytest.approx((wave.min(), wave.max()), rel=1e-3)
+
+
 def test_the_irregularity_of_a_row_returns():
     row = UnevenRow(15.0, 0.05, 1.5)
     orders, alpha = crank.given_accelerations([row], np.array([15.0]))

@@ -188,6 +188,11 @@ def test_a_default_is_said_with_what_to_give(gamma_results: Results) -> None:
     assert GIVES["gears"](gamma_results).startswith("backlash")  # which no default decides
 
 
+def test_an_irregularity_that_is_taken_is_that_of_any_load(gamma_results: Results) -> None:
+    tables = {table.id: table for table in gamma_results.outcomes["gears"].tables}
+    assert str(tables["drive_over_speed"].title).count("any load") == 2
+
+
 def test_the_headline(results: Results) -> None:
     assert GIVES["gears"](results) == "rattle B 58 mm/s"
 
