@@ -12,7 +12,7 @@ from ..countershaft.sums import NOTHING, SystemResult
 from ..design.model import STEPS, Design
 from ..engine.result import EngineResult
 from ..friction.result import FrictionResult
-from ..gears.drive.checks import grade_letter
+from ..gears.drive.checks import FLYWHEEL, GAS, grade_letter
 from ..gears.drive.result import HARDEST, IDLE, DriveResult, MeshOverSpeed, WheelStruck
 from ..gears.drive.tables import kilonewtons, point_words, sentence, worst
 from ..gears.rating.result import MeshStrength
@@ -300,7 +300,13 @@ def drive_row(results: Results) -> tuple[Text, Text] | None:
     for symbol, struck in struck_safeties(results).items():
         words = Text("{words}; {symbol} {range}", words=words, symbol=Name(symbol), range=struck.words)
     if drive.assumed:
-        words = Text("{words}; with {taken}, an unfavourable default", words=words, taken=drive.drive.taken)
+        words = Text(
+            "{words}; with {taken}, an unfavourable default: give {gas} and {flywheel}",
+            words=words,
+            taken=drive.drive.taken,
+            gas=GAS,
+            flywheel=FLYWHEEL,
+        )
     return title, words
 
 

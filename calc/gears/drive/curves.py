@@ -190,11 +190,11 @@ def window(drive: DriveResult) -> Iterator[Curve]:
     start, end = min(known) - room, max(known) + room
     loud = None if way.quiet_b is None else way.quiet_b - way.widened
     late = way.high if way.by_phase else None
-    zones = [
-        (Text("jams"), start, way.low),
+    zones = [  # at the ends of all tolerances, hence: may
+        (Text("may jam"), start, way.low),
         (Text("free"), way.low, way.high),
         (Text("late"), late, end),
-        (Text("rattles"), loud, end),
+        (Text("may rattle"), loud, end),
     ]
     boxes = [
         _box(lane, words, left * UM, right * UM)
@@ -213,7 +213,7 @@ def window(drive: DriveResult) -> Iterator[Curve]:
         "backlash_window",
         Text("Backlash on the way to {wheel}, between jam and rattle", wheel=line.links[way.body].driven),
         axis_label("nominal backlash along the line of action", "µm"),
-        Text("1 jams, 2 free, 3 late, 4 rattles"),
+        Text("1 may jam, 2 free, 3 late, 4 may rattle"),
         (*boxes, *lines),
         short=3,
     )

@@ -70,6 +70,13 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
         if (over := mesh.over_speed) is not None
     }
     yield from orders.notes(gears, train, found, influences)
+    springs = [mesh.over_speed.scissor for mesh in train.meshes.values() if mesh.over_speed is not None]
+    if lost := [spring.loss for spring in springs if spring is not None and spring.loss is not None]:
+        yield Text(
+            "The springs of scissor gears cost up to {loss} in their meshes at rated speed, which is not in the sum of "
+            "the losses of the step Friction.",
+            loss=Amount(sum(map(float, lost)), "W", digits=2),
+        )
     yield Text(
         "Strikes are without rebound, at steady speed, of rigid bodies; oil squeezed between flanks would take speed "
         "off light wheels."

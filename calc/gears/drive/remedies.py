@@ -465,9 +465,12 @@ def by_flywheel(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
 
 
 def by_closed_flanks(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
-    """So heavy that no mesh parts: inertia over drag falls as the inertia on the crank grows."""
+    """So heavy that no mesh parts: inertia over drag falls as the inertia on the crank grows.  The weight of a force
+    shaft parts flanks all the same; then none beyond `HEAVIEST` is offered."""
     Gamma = shop.separation
-    if shop.now.source.J_E is not None and 1 < Gamma < math.inf:
+    if shop.now.source.J_E is None or not 1 < Gamma < math.inf:
+        return
+    if Gamma <= HEAVIEST or not shop.hardest(shop.with_inertia(Gamma * (1 + 1e-6))):
         yield from _with_flywheel(shop, Gamma * (1 + 1e-6), goal)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from calc.design.toml_file import design
 from calc.friction.mesh.loss import losses
 from calc.friction.power_balance import drive
 from calc.friction.solve import links_of
@@ -28,6 +29,8 @@ from calc.sheet.expression import show
 from calc.sheet.quantity import keys
 from calc.sheet.units import UNITS
 from calc.sheet.value import trace
+from calc.solve import solve
+from tests.calc.gears.drive.conftest import changed
 
 REFERENCE = json.loads((Path(__file__).parents[3] / "reference" / "drive.json").read_text(encoding="utf-8"))["given"]
 ROWS = {row["id"].rpartition(".")[2]: row for row in REFERENCE if ".scissor." in row["id"]}
@@ -165,3 +168,12 @@ def test_just_inside_and_just_outside(context):
     assert at_idle.moved_by[0] == "gears.meshes.2.scissor.torque_Nm"
     nothing = scissor_checks(KEY, "idler–shaft", 2, replace(spring, needed=0.0, needed_range=0.0))
     assert [check.margin for check in nothing] == pytest.approx([1.0, 1.0])  # a share of the spring's own torque
+
+
+def test_what_it_costs_is_said_to_be_outside_the_sum_of_losses(over_speed):
+    id, total = f"gears.{KEY}.scissor.loss", "friction.total_loss"
+    results = solve(design(changed({"gears.meshes.2.scissor": {"torque_Nm": 5.5}})))
+    loss, notes = results.values()[id].shown, [str(note) for note in results.outcomes["gears"].notes]
+    assert any(f"cost up to {loss:.0f} W in their meshes" in note for note in notes)
+    assert results.values()[total].shown == pytest.approx(over_speed.values()[total].shown, rel=1e-9)
+    assert not any("springs of scissor gears" in str(note) for note in over_speed.outcomes["gears"].notes)

@@ -98,6 +98,11 @@ def test_a_train_that_rattles_is_built_with_its_cautions() -> None:
     assert "gears.crank_central.rattle" in open_ and "gears.drive.backlash_window" in open_
     assert all(id.startswith("gears.") and ("strike" in id or "rattle" in id or "window" in id) for id in open_)
     assert results.outcomes["gears"].verdict == "warn" and results.outcomes["friction"].verdict == "pass"
+    check = results.check("gears.crank_central.rattle")
+    assert check is not None
+    keys = [[key.rpartition(".")[2] for key, _ in way.changes] for way in check.remedies]
+    # no flywheel closes the flanks that the weight of the shaft parts: none of 59 times the inertia is offered
+    assert keys == [["flywheel_inertia_kgm2"], ["torque_Nm"] * 2, ["torque_Nm"] * 3]
 
 
 def test_a_step_is_built_around_what_is_there() -> None:
