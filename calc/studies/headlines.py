@@ -301,7 +301,7 @@ def drive_row(results: Results) -> tuple[Text, Text] | None:
         words = Text("{words}; {symbol} {range}", words=words, symbol=Name(symbol), range=struck.words)
     if drive.assumed:
         words = Text(
-            "{words}; with {taken}, an unfavourable default: give {gas} and {flywheel}",
+            "{words}; with {taken}, a default that knows no load: give {gas} and {flywheel}",
             words=words,
             taken=drive.drive.taken,
             gas=GAS,

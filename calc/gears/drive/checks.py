@@ -2,7 +2,7 @@
 """What is judged of the drive over speed: whether it rattles at idle, what strikes do to the teeth, whether the nominal
 backlash has room between jam and rattle, and how far the method holds.
 
-A default irregularity is an unfavourable one: what holds with it passes, what does not is not verified."""
+What holds with a default irregularity passes as assumed, what does not is not verified: nothing fails by a default."""
 
 from collections.abc import Callable, Iterator, Mapping
 
@@ -155,18 +155,21 @@ ASSUMED = CheckRule(
     "gears.drive.assumed",
     "method",
     "A default decides how hard the flanks strike.",
-    Text("Gas and flywheel, or measured irregularity, are given: 1 yes, 0 no"),
-    source=Text("rule of this program: an irregularity by the number of cylinders, unfavourable"),
+    Text("A default stands for the motion of the crank: 1 yes, 0 no"),
+    "<=",
+    source=Text("rule of this program: an irregularity by the number of cylinders, of one order and no load"),
     advice=Text(
         "Give [engine.gas] (peak pressure, compression ratio) and engine.flywheel_inertia_kgm2; or rows of "
         "[[gears.drive.irregularity]] as measured."
     ),
+    zero="1, no number",
+    value_id=dotted("gears", "drive", DriveResult.assumed),
     moved_by=(GAS, FLYWHEEL),
 )
 GIVE = GAS, FLYWHEEL
 
 
-def lack(assumed: bool, taken: Text, worst: Number | None) -> Missing | None:
+def lack(assumed: Number, taken: Text, worst: Number | None) -> Missing | None:
     """What is not given where a default stands for the motion of the crank: at its worst it is as taken."""
     return Missing(GIVE, (taken,), "holds", "none" if worst is None else worst) if assumed else None
 
@@ -185,9 +188,9 @@ def rattle_checks(
     quiet, loud = grade_limits()
     key = max(idle, key=lambda mesh: idle[mesh].impact_speed)
     u, name = idle[key].impact_speed, Text("Strikes of {pair} at idle, no load", pair=titles[key])
-    grade = Text("{name}: grade {grade}", name=name, grade=grade_letter(grade_of(u)))
     missing = lack(drive.assumed, taken, u)
-    yield RATTLE(u, loud, at=key, name=grade, missing=missing, index=index[key], remedies=for_b)
+    for_grade = Text("{name}, for grade B", name=name)
+    yield RATTLE(u, loud, at=key, name=for_grade, missing=missing, index=index[key], remedies=for_b)
     key = max(idle, key=lambda mesh: idle[mesh].impact_speed_most)
     most, of = idle[key].impact_speed_most, Text("Strikes of {pair} at idle, largest backlash", pair=titles[key])
     if u / quiet > most / loud:
@@ -241,7 +244,7 @@ def method_checks(drive: DriveResult, shares: Mapping[str, Number]) -> Iterator[
         yield IRREGULARITY_HIGH(drive.operations[IDLE].irregularity, HIGHEST_IRREGULARITY)
     if shares:
         yield REBOUND(max(shares.values()), 1.0)
-    yield ASSUMED(float(not drive.assumed), 1.0)
+    yield ASSUMED(drive.assumed, 0.0, scale=1.0)
 
 
 def window_check(

@@ -57,18 +57,15 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
             )
     if IDLE not in drive.at:
         yield Text(
-            "Idle without load is not known, so that nothing is graded: give an [[engine.operation]] row of load 0."
+            "Idle without load is not known, so that nothing is graded, and no scissor gear judged: give an "
+            "[[engine.operation]] row of load 0."
         )
     influences = {
         key: K
         for key, mesh in train.meshes.items()
         if mesh.rating is not None and (K := mesh.rating.influence) is not None
     }
-    found = {
-        key: orders.MeshOrder(order=over.order, error_by_load=over.error_by_load if key in influences else None)
-        for key, mesh in train.meshes.items()
-        if (over := mesh.over_speed) is not None
-    }
+    found = {key: mesh.over_speed for key, mesh in train.meshes.items() if mesh.over_speed is not None}
     yield from orders.notes(gears, train, found, influences)
     springs = [mesh.over_speed.scissor for mesh in train.meshes.values() if mesh.over_speed is not None]
     if lost := [spring.loss for spring in springs if spring is not None and spring.loss is not None]:

@@ -6,14 +6,14 @@ No level of sound: that is the housing's.  All meshes of one gear chain have one
 from collections.abc import Iterator, Mapping
 
 from ...sheet.formula import formula
-from ...sheet.quantity import dotted, result, value
+from ...sheet.quantity import dotted
 from ...sheet.step import Table
 from ...sheet.text import Amount, Name, Text, listed
 from ...sheet.units import Hertz, Metre, NewtonPerMetre, Number, Pascal, RevPerSecond
-from ...sheet.value import about, based_on, untraced
+from ...sheet.value import untraced
 from ..inputs import GearsInputs
 from ..rating.result import Influence
-from ..result import MeshResult, TrainResult
+from ..result import TrainResult
 from .result import MeshOverSpeed
 
 HARMONICS = (1, 2, 3)
@@ -60,36 +60,9 @@ def error_by_load(w: NewtonPerMetre, c: Pascal) -> Metre:
     return 3 / 7 * w / c
 
 
-@result
-class MeshOrder:
-    """One mesh over the turns of the crank."""
-
-    order: Number = value("Order of the mesh, by turns of the crank", "", "o_Z")
-    error_by_load: Metre | None = value("Transmission error by load, peak to peak, spur", "µm", "Δ_F", default=None)
-
-
-def orders(train: TrainResult, of_first: Number, influences: Mapping[str, Influence]) -> dict[str, MeshOrder]:
-    """Of every mesh.  `of_first`: turns of the first driver in a turn of the crank; `influences`: of the meshes that
-    carry a load."""
-    found = {}
-    for key, mesh in train.meshes.items():
-        with about(Text("mesh {pair}", pair=mesh.title)):
-            turns = train.tree.turns(mesh.driver)
-            i, z = based_on(abs(turns * of_first), turns, of_first), train.wheels[mesh.driver].teeth
-            K, error = influences.get(key), None
-            if K is not None and _one_pair_or_two(mesh):
-                error = error_by_load(w=K.line_load, c=K.single_stiffness)
-            found[key] = MeshOrder(order=mesh_order(z=z, i=i), error_by_load=error)
-    return found
-
-
-def _one_pair_or_two(mesh: MeshResult) -> bool:
-    return mesh.overlap_ratio == 0 and 1 < mesh.transverse_contact_ratio < 2
-
-
 def orders_table(
     train: TrainResult,
-    found: Mapping[str, MeshOrder],
+    found: Mapping[str, MeshOverSpeed],
     idle: RevPerSecond,
     rated: RevPerSecond,
     cylinders: int | None = None,
@@ -120,7 +93,7 @@ def orders_table(
 
 
 def notes(
-    gears: GearsInputs, train: TrainResult, found: Mapping[str, MeshOrder], influences: Mapping[str, Influence]
+    gears: GearsInputs, train: TrainResult, found: Mapping[str, MeshOverSpeed], influences: Mapping[str, Influence]
 ) -> Iterator[Text]:
     """What the error by load means beside what the flanks are made to, both along the line of action."""
     helical = [Name(train.meshes[key].title) for key in found if train.meshes[key].overlap_ratio > 0]

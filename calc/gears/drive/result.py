@@ -176,11 +176,12 @@ class DriveResult:
     )
     window_low: Metre | None = value("Least nominal backlash on the way", "µm", "J_lo", default=None)
     window_high: Metre | None = value("Largest nominal backlash on the way", "µm", "J_hi", default=None)
-    assumed: bool  # whether a default stands for the motion of the crank
+    assumed: Number = value("A default stands for the motion of the crank: 1 yes, 0 no", "")
     drive: "Drive"  # by which it can be surveyed at other points
     survey: "Survey"  # what is judged, as arrays
     most: "Survey"  # the published points at the largest backlash and the least drag
     at: Mapping[str, int]  # the published points in the survey
     meshes: Mapping[str, MeshOverSpeed]
     torques: "Irregular"  # what the rating takes
+    jams: tuple[str, ...] = ()  # meshes that would strike at idle and have no backlash at mid-tolerance
     window: Window | None = None  # the way with the least room for its nominal backlash

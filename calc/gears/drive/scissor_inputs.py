@@ -9,7 +9,7 @@ class Scissor:
     """The split wheel of a mesh.  One half drives, the sprung one holds the flanks closed."""
 
     torque: float = quantity(
-        "Torque of the spring",
+        "Spring torque of the scissor gear",
         "N·m",
         up_to=1000,
         symbol="T_S0",
@@ -19,7 +19,7 @@ class Scissor:
         change=("weaker spring", "stronger spring", "scissor gear"),
     )
     stiffness: float = quantity(
-        "Rate of the spring",
+        "Rate of its spring",
         "N·m/°",
         default=0.0,
         within=(0, 1000),

@@ -461,6 +461,12 @@ def _torques(drive: Drive, judged: Survey, operations: Mapping[str, MotionAt], m
     return Irregular(torques, drive.source.assumed)
 
 
+def _jams(drive: Drive, judged: Survey, p: int) -> tuple[str, ...]:
+    """The meshes that part of themselves at a point and have no backlash to part in: no speed says how they rattle."""
+    stuck = judged.closed.parts[p] & (judged.bodies.backlash <= 0)
+    return tuple(link.title for link, jams in zip(drive.line.links, stuck) if jams)
+
+
 def _result(
     drive: Drive,
     judged: Survey,
@@ -470,8 +476,9 @@ def _result(
     meshes: Mapping[str, MeshOverSpeed],
     torques: Irregular,
 ) -> DriveResult:
-    p, u = at[HARDEST], None
-    if IDLE in at and meshes:
+    p, u, work = at[HARDEST], None, drive.work
+    jams = _jams(drive, judged, at[IDLE]) if IDLE in at else ()
+    if IDLE in at and meshes and not jams:
         speeds = [mesh.operations[IDLE].impact_speed for mesh in meshes.values()]
         u = max(speeds)
     powers = []
@@ -483,7 +490,7 @@ def _result(
                     powers.append(reduce(lambda W, W_i: with_power(W=W, W_i=W_i), parts))
     hardest = [mesh.operations[HARDEST].impact_force for mesh in meshes.values()]
     return DriveResult(
-        idle_speed=drive.work.idle,
+        idle_speed=work.idle,
         inertia_total=drive.source.J_E,
         operations=dict(operations),
         hardest_speed=based_on(float(judged.speeds[p]), *hardest),
@@ -491,7 +498,8 @@ def _result(
         impact_power=max(powers, default=0.0),
         impact_speed=u,
         grade=None if u is None else based_on(float(grade_of(u)), u),
-        assumed=drive.source.assumed,
+        assumed=based_on(float(drive.source.assumed), work.engine.flywheel_inertia, work.idle),
+        jams=jams,
         drive=drive,
         survey=judged,
         most=most,

@@ -175,7 +175,7 @@ def _checks(
     index = {mesh.key: i for i, mesh in enumerate(shop.gears.meshes)}
     taken = drive.drive.taken
     idle = {key: mesh.operations[IDLE] for key, mesh in meshes.items() if IDLE in mesh.operations}
-    if idle:
+    if idle and drive.impact_speed is not None:
         quiet, loud = grade_limits()
         ways = Later(lambda: quiet_remedies(shop, loud)), Later(lambda: quiet_remedies(shop, quiet, loud))
         yield from rattle_checks(drive, idle, titles, taken, index, *ways)

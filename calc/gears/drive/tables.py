@@ -8,13 +8,13 @@ from ...engine.inputs import EngineInputs
 from ...sheet.quantity import ValueKey, dotted
 from ...sheet.record import record
 from ...sheet.step import Table
-from ...sheet.text import EMPTY, Amount, Name, Text
+from ...sheet.text import EMPTY, Amount, Name, Text, listed
 from ...sheet.units import Newton, Number, Watt
 from ..result import TrainResult
 from .checks import grade_letter, grade_limits, grade_of
 from .curves import MM_S, RPM, load_words
 from .notes import ACCURACY
-from .orders import MeshOrder, orders_table
+from .orders import orders_table
 from .result import HARDEST, IDLE, DriveResult, MeshAt, MeshOverSpeed
 
 FLANKS = {0: EMPTY, 1: Text(" on one flank"), 2: Text(" on both flanks")}
@@ -102,10 +102,9 @@ def orders(train: TrainResult, drive: DriveResult) -> Table:
     """Harmonics of the meshes at idle and at rated speed, the firings of an engine that fires evenly beside."""
     engine, motion = drive.drive.work.engine, drive.survey.motion
     alike = round(motion.cycle / motion.period)
-    found = {key: MeshOrder(order=mesh.order, error_by_load=mesh.error_by_load) for key, mesh in drive.meshes.items()}
     return orders_table(
         train,
-        found,
+        drive.meshes,
         drive.idle_speed,
         engine.rated_speed,
         engine.cylinders if alike == engine.cylinders else None,
@@ -160,6 +159,8 @@ def sentence(train: TrainResult) -> Text | None:
     drive = train.drive
     if drive is None or not drive.meshes:
         return None
+    if drive.jams:
+        return Text("Rattle at idle: not graded, {pairs} jam at mid-tolerance.", pairs=listed(map(Name, drive.jams)))
     if IDLE not in drive.at or drive.grade is None or drive.impact_speed is None:
         return Text(
             "Rattle at idle: not known without brake load; give an [[engine.operation]] row with load_percent = 0."
@@ -183,7 +184,7 @@ def sentence(train: TrainResult) -> Text | None:
     if not drive.assumed:
         return words
     return Text(
-        "{words} This rests on {taken}, an unfavourable default: give [engine.gas] and {flywheel}.",
+        "{words} This rests on {taken}, a default that knows no load: give [engine.gas] and {flywheel}.",
         words=words,
         taken=drive.drive.taken,
         flywheel=dotted("engine", EngineInputs.flywheel_inertia),

@@ -182,7 +182,7 @@ def test_the_sentence(results: Results) -> None:
 def test_a_default_is_said_with_what_to_give(gamma_results: Results) -> None:
     words = sentence(gamma_results.train)
     assert words.startswith("Rattle at idle, no load: ") and words.endswith(
-        "This rests on an irregularity of 5 % at idle, 600 rpm, an unfavourable default: give [engine.gas] and "
+        "This rests on an irregularity of 5 % at idle, 600 rpm, a default that knows no load: give [engine.gas] and "
         "engine.flywheel_inertia_kgm2."
     )
     assert GIVES["gears"](gamma_results).startswith("backlash")  # which no default decides
@@ -218,5 +218,5 @@ def test_the_row_of_the_first_page(results: Results, gamma_results: Results) -> 
         "4.9 kN; power about 0.92 / 4 W at most; S_H 0.94 to 1.08; S_F 1.10 to 1.49"
     )
     assert drive_row(gamma_results)[1].endswith(
-        "an unfavourable default: give engine.gas and engine.flywheel_inertia_kgm2"
+        "a default that knows no load: give engine.gas and engine.flywheel_inertia_kgm2"
     )

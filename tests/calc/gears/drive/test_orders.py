@@ -2,13 +2,12 @@
 """Orders of the meshes on the crank, and what the load makes of the transmission of spur teeth."""
 
 import json
-import math
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from calc.gears.drive.orders import error_by_load, mesh_frequency, mesh_order, notes, orders, orders_table
+from calc.gears.drive.orders import error_by_load, mesh_frequency, mesh_order, notes, orders_table
+from calc.gears.drive.result import MeshOverSpeed
 from calc.gears.layout.phase import hunting
 from calc.gears.rating.dynamic import mesh_stiffness
 from calc.gears.rating.solve import rating
@@ -50,17 +49,17 @@ def test_the_error_is_that_of_one_pair_and_two_by_the_mean_stiffness(eps_alpha):
     assert error_by_load(w=w, c=c) == pytest.approx(w / c - w / two, rel=1e-12)
 
 
-def test_all_meshes_of_a_gear_chain_share_one_order():
-    train = solved(r753())
-    found = orders(train, 1.0, {})
-    assert [mesh.order for mesh in found.values()] == pytest.approx([25.0] * 3)
-    behind = orders(train, -2.0, {})  # a first driver that turns against the crank, twice as fast
-    assert [mesh.order for mesh in behind.values()] == pytest.approx([50.0] * 3)
+def order_of(**said):
+    return MeshOverSpeed(operations={}, **said)
+
+
+def test_all_meshes_of_a_gear_chain_share_one_order(over_speed):
+    assert [mesh.order for mesh in over_speed.train.drive.meshes.values()] == pytest.approx([25.0] * 3)
 
 
 def test_the_table_has_each_order_once_and_the_firings():
     train = solved(r753())
-    table = orders_table(train, orders(train, 1.0, {}), 15.0, 2600 / 60, cylinders=3)
+    table = orders_table(train, {key: order_of(order=25.0) for key in train.meshes}, 15.0, 2600 / 60, cylinders=3)
     assert [row[1:3] for row in table.rows] == [(1, 25.0), (2, 50.0), (3, 75.0), (1, 1.5), (2, 3.0), (3, 4.5)]
     assert table.rows[0][3] == pytest.approx(375.0) and table.rows[2][4] == pytest.approx(3250.0)
     assert str(table.rows[0][0]) == "crank–central, central–idler, idler–shaft"
@@ -76,22 +75,18 @@ SPUR = train(
 def test_the_grade_rules_over_the_load_of_a_spur_mesh():
     of_spur = solved(SPUR)
     K = {key: mesh.influence for key, mesh in rating(SPUR, of_spur, 1.0, materials()).solution.meshes.items()}
-    found = orders(of_spur, 1.0, K)
     influence = K["crank_pump"]
-    assert found["crank_pump"].error_by_load == pytest.approx(3 / 7 * influence.line_load / influence.single_stiffness)
-    (note,) = notes(SPUR, of_spur, found, K)
+    error = error_by_load(w=influence.line_load, c=influence.single_stiffness)
+    (note,) = notes(SPUR, of_spur, {"crank_pump": order_of(order=25.0, error_by_load=error)}, K)
     assert "the grade rules" in str(note) and "11 µm" in str(note)
-    heavy = {"crank_pump": replace(found["crank_pump"], error_by_load=20e-6)}
-    (note,) = notes(SPUR, of_spur, heavy, K)
+    (note,) = notes(SPUR, of_spur, {"crank_pump": order_of(order=25.0, error_by_load=20e-6)}, K)
     assert "the load rules" in str(note)
 
 
-def test_helical_teeth_are_not_reckoned():
-    helical = r753()
-    of_helical = solved(helical)
-    K = {key: mesh.influence for key, mesh in rating(helical, of_helical, 1.0, materials()).solution.meshes.items()}
-    found = orders(of_helical, 1.0, K)
-    assert all(mesh.error_by_load is None for mesh in found.values())
-    (note,) = notes(helical, of_helical, found, K)
+def test_helical_teeth_are_not_reckoned(over_speed):
+    train = over_speed.train
+    meshes = {key: mesh.over_speed for key, mesh in train.meshes.items()}
+    assert all(mesh.error_by_load is None for mesh in meshes.values())
+    K = {key: mesh.rating.influence for key, mesh in train.meshes.items()}
+    (note,) = notes(over_speed.design.gears, train, meshes, K)
     assert "not computed" in str(note) and "idler–shaft" in str(note)
-    assert math.isfinite(found["idler_shaft"].order)

@@ -160,7 +160,10 @@ def test_the_largest_backlash_has_less_drag():
 
 def test_every_value_says_where_it_comes_from():
     outcome = with_gas()
-    assert [value.id for value in outcome.values() if link_of(value.inside) is None] == ["gears.idle_speed"]
+    assert [value.id for value in outcome.values() if link_of(value.inside) is None] == [
+        "gears.idle_speed",
+        "gears.assumed",
+    ]
 
 
 # --- laws of whole trains
