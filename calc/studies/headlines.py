@@ -233,7 +233,7 @@ class StruckSafety:
 
     @property
     def label(self) -> Text:
-        if self.high.symbol == "S_H":
+        if self.high.symbol.startswith("S_H"):
             return Text("Safety against pitting under strikes, high to low force")
         return Text("Safety against tooth breakage under strikes, high to low force")
 
@@ -255,7 +255,7 @@ def struck_safeties(results: Results) -> dict[str, StruckSafety]:
     for high_field, low_field in UNDER_STRIKES:
         high, low = (min(results.values_of(f), key=lambda v: v.shown, default=None) for f in (high_field, low_field))
         if high is not None and low is not None:
-            found[high.symbol] = StruckSafety(high, low)
+            found[high.symbol.removesuffix(",u")] = StruckSafety(high, low)
     return found
 
 

@@ -105,13 +105,13 @@ class MeshOverSpeed:
     order: Number = value("Order of the mesh on the crank", "", "i_z")
     error_by_load: Metre | None = value("Transmission error by the load, peak to peak", "µm", "Δx_F", default=None)
     strike_safety_contact_low: Number | None = value(
-        "Safety against pitting under the hardest strike, low", "", "S_H", default=None
+        "Safety against pitting under the hardest strike, low", "", "S_H,u", default=None
     )
     strike_safety_contact: Number | None = value(
-        "Safety against pitting under the hardest strike, high", "", "S_H", default=None
+        "Safety against pitting under the hardest strike, high", "", "S_H,u", default=None
     )
     strike_safety_contact_most: Number | None = value(
-        f"Safety against pitting under the hardest strike, high, {MOST}", "", "S_H", default=None
+        f"Safety against pitting under the hardest strike, high, {MOST}", "", "S_H,u", default=None
     )
     scissor: ScissorResult | None = group(default=None, words="scissor gear")
 
@@ -121,13 +121,13 @@ class WheelStruck:
     """One wheel under the hardest strike in any of its meshes."""
 
     strike_safety_bending_low: Number | None = value(
-        "Safety against tooth breakage under the hardest strike, low", "", "S_F", default=None
+        "Safety against tooth breakage under the hardest strike, low", "", "S_F,u", default=None
     )
     strike_safety_bending: Number | None = value(
-        "Safety against tooth breakage under the hardest strike, high", "", "S_F", default=None
+        "Safety against tooth breakage under the hardest strike, high", "", "S_F,u", default=None
     )
     strike_safety_bending_most: Number | None = value(
-        f"Safety against tooth breakage under the hardest strike, high, {MOST}", "", "S_F", default=None
+        f"Safety against tooth breakage under the hardest strike, high, {MOST}", "", "S_F,u", default=None
     )
 
 

@@ -70,7 +70,7 @@ class RattleOfRows:
 
     def note(self, rows: Sequence[tuple[str, ShiftRow]]) -> Text:
         """What the column says, and which of the rows rattle: a caution that the choice passes over."""
-        note = Text("rattle: grade and hardest strike at idle without load, mm/s.")
+        note = Text("idle: grade of the rattle and hardest strike without load, mm/s.")
         if self.assumed:
             note += Text(" It rests on an assumed irregularity.")
         loud = [number for number, row in rows if (self.speed(row) or 0.0) > grade_limits()[1]]

@@ -113,7 +113,7 @@ def _rows_table(
     columns = [*_columns(NUMBER, WHAT), *_shifts_of(wheels), *VERDICT]
     cells: list[Cells] = [(n, row.name, *(_shift(row, name) for name in wheels), *_verdict(row)) for n, row in rows]
     if rattle is not None and rattle.known:
-        columns.append((Text("rattle"), ""))
+        columns.append((Text("idle"), ""))
         cells = [(*cell, rattle.cell(row)) for cell, (_, row) in zip(cells, rows)]
         note = SPACE.join(filter(None, (note, rattle.note(rows))))
     return _with_bars(Table(id, title, tuple(columns), tuple(cells), note), [row for _, row in rows])
