@@ -5,6 +5,7 @@ flanks together.
 Mesh losses are none of it: they vanish when the flanks part."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,8 @@ from ..sheet.record import record
 from ..sheet.units import Metre, Watt
 from ..sheet.value import untraced
 from .journals import OnShaft, journals_at
-from .power_balance import TrainDrive, drive, end_of, shaft_loss
+from .losses.wheels import unloaded
+from .power_balance import TrainDrive, end_of, masses_of, shaft_loss
 from .result import FrictionResult
 
 
@@ -51,7 +53,8 @@ def drags(balance: FrictionResult, ratio: Array) -> dict[str, Array]:
             name: end_of(d.friction, end.wheel, on[name], journals_at(on[name], r, T)) for name, end in d.ends.items()
         }
         first = d.wheels[d.first].speed * r
-        at = drive(d.friction, d.links, d.lubricant, T, first, ends, d.forces, d.lubrication)
+        wheels = unloaded(d.friction, d.links, d.lubricant, T, first, d.last)
+        at = replace(d, wheels=wheels, T_oil=T, ends=ends, masses=masses_of(d.friction, ends))
         taken = balance.meshes | balance.stages
         loads: dict[str, Watt] = {name: link.power_in * r**2 for name, link in taken.items()}
         needed: dict[str, Any] = {name: sum(wheel.parts()) + np.zeros(r.shape) for name, wheel in at.wheels.items()}

@@ -396,13 +396,7 @@ def drive(
     for name, mesh in meshes_of(links).items():
         with about(Text("mesh {title}", title=mesh.title)):
             cases[name] = case(friction, mesh, oil, wheels[mesh.driver.name].speed, warming, **fineness)
-    masses = {}
-    for name, end in ends.items():
-        if friction.mass_loss == "none" or (s := end.sectors) is None:
-            continue
-        with about(Text("turning masses of shaft {name}", name=name)):
-            sizes, omega, rho = (s.lengths, s.outer_radii, s.core_radii), column(s.omega), column(friction.mist_density)
-            masses[name] = mass_loss(*sizes, omega, rho, shell_gap=s.shell_gap)
+    masses = masses_of(friction, ends)
     return TrainDrive(
         friction=friction,
         links=links,
@@ -417,6 +411,18 @@ def drive(
         lubrication=lubrication,
         compared=compared,
     )
+
+
+def masses_of(friction: FrictionInputs, ends: Ends) -> dict[str, MassLoss]:
+    """What the sectors of each shaft lose, where that is counted."""
+    masses = {}
+    for name, end in ends.items():
+        if friction.mass_loss == "none" or (s := end.sectors) is None:
+            continue
+        with about(Text("turning masses of shaft {name}", name=name)):
+            sizes, omega, rho = (s.lengths, s.outer_radii, s.core_radii), column(s.omega), column(friction.mist_density)
+            masses[name] = mass_loss(*sizes, omega, rho, shell_gap=s.shell_gap)
+    return masses
 
 
 def require_temperature(T: Celsius) -> Celsius:

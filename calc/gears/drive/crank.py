@@ -142,7 +142,7 @@ def extremes(a: ComplexArray, n: Array, cycle: Radian, integrals: int = 0) -> tu
     """The least and the most over the cycle of Re Σ a_n·e^{inε}/(i·n)^integrals, of one series (N,) or many (P, N)."""
     a = np.atleast_2d(a)
     series = Motion(np.asarray(n), a, np.ones(len(a)), float(cycle))
-    y = series.over(series.nodes(series.period), integrals)
+    y = series.on_nodes(series.period, integrals)
     return -peak(-y), peak(y)
 
 

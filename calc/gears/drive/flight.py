@@ -18,7 +18,7 @@ from ...sheet.record import record
 
 EVENTS = 8  # without an orbit that closes by then all of them count
 PERIODS = 200  # of the motion, for one flight: what has met no flank by then meets none
-HALVINGS = 30
+HALVINGS, NEWTONS = 10, 3  # of the panel in which a flank is met; where it is but grazed the halvings stand
 SAME_PHASE = 1e-6  # of the period
 
 
@@ -177,4 +177,8 @@ class Cubic:
             step = 0.5 * step
             middle = low + step
             low = np.where(beyond.at(middle) > 0, low, middle)
-        return low + step
+        s, (_, c_1, c_2, c_3) = low + step, beyond.c
+        for _ in range(NEWTONS):
+            slope = c_1 + s * (2 * c_2 + 3 * s * c_3)
+            s = np.clip(s - np.where(slope > 0, beyond.at(s), 0.0) / np.where(slope > 0, slope, 1.0), low, low + step)
+        return s

@@ -53,11 +53,22 @@ class Motion:
     def over(self, epsilon: Array, integrals: int = 0) -> Array:
         """x₀'' at angles of the crank (P, K); integrated once, v, or twice, x, over time, each about its own
         mean; −1: its rate, m/s³."""
-        angles = self.orders[:, None] * epsilon
-        a = self.a / (1j * self.orders * self.omega[:, None]) ** integrals
+        angles, a = self.orders[:, None] * epsilon, self._integrated(integrals)
         # not by a product of matrices, whose library waits for threads that a busy machine does not give
         of: Array = np.einsum("pn,nk->pk", a.real, np.cos(angles)) - np.einsum("pn,nk->pk", a.imag, np.sin(angles))
         return of
+
+    def on_nodes(self, period: Radian, integrals: int = 0) -> Array:
+        """The same on the nodes of a period that it fits into, by a fast Fourier transform."""
+        there = np.any(self.a != 0, axis=0)
+        count, waves = self.nodes(period).size, np.round(self.orders[there] * period / TURN).astype(int)
+        spectrum = np.zeros((self.omega.size, count // 2 + 1), dtype=complex)
+        spectrum[:, waves] = self._integrated(integrals)[:, there] * (count / 2)
+        return np.fft.irfft(spectrum, count)
+
+    def _integrated(self, integrals: int) -> ComplexArray:
+        a: ComplexArray = self.a / (1j * self.orders * self.omega[:, None]) ** integrals
+        return a
 
     def at(self, points: Any) -> "Motion":
         """The motion of some of the points, as numpy chooses rows."""

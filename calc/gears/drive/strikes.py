@@ -38,7 +38,7 @@ ONE_FLANK = Text("dynamics: a body that is driven by one flank alone")
 
 # backlash at which a limit of the strike speed is reached: over half the swing of the first driver
 LEAST_SHARE, MOST_SHARE = 1e-4, 20.0
-SECTIONS, FEWER, NARROWER = 48, 8, 2
+SECTIONS, FEWER, NARROWER = 48, 32, 1
 
 # --- formulas
 
@@ -142,15 +142,15 @@ def closed(motion: Motion, bodies: Bodies) -> Closed:
     """Exact: F = M_c·x₀'' + D_c, less what gravity turns the bodies by.  A chain, and a mesh that a split gear holds,
     never part."""
     M, D = bodies.lever**2 @ bodies.mass, bodies.drag @ bodies.lever.T
-    epsilon = _nodes(motion, bodies)
-    a_0 = motion.over(epsilon)
+    period = _period(motion, bodies)
+    a_0 = motion.on_nodes(period)
     down, up = (peak(sign * a_0)[:, None] * bodies.ratio for sign in (-1, 1))
     with untraced(), np.errstate(divide="ignore", invalid="ignore"):
         Gamma = np.where(D > 0, separation(M, down, D), np.inf)
         if bodies.gravity is None:
             least, most = least_force(M, down, D), most_force(M, up, D)
         else:
-            of_gravity = M[:, None] * _gravity(motion, bodies, M, epsilon, 0)
+            of_gravity = M[:, None] * _gravity(motion, bodies, M, motion.nodes(period), 0)
             F = (M * bodies.ratio)[:, None] * a_0[:, None] + D[..., None] - of_gravity
             least, most = -peak(-F), peak(F)
     parts = (least < 0) & np.array(bodies.toothed)
@@ -159,13 +159,13 @@ def closed(motion: Motion, bodies: Bodies) -> Closed:
     return Closed(M, D, down, up, least, most, Gamma, parts)
 
 
-def _nodes(motion: Motion, bodies: Bodies) -> Array:
-    """Of the period of the motion, with gravity of that of both: a shaft at an order of the firing keeps it short, so
+def _period(motion: Motion, bodies: Bodies) -> Radian:
+    """That of the motion, with gravity of that of both: a shaft at an order of the firing keeps it short, so
     that its orbit closes soon; else it is the whole working cycle."""
     if bodies.gravity is None or bodies.gravity_order is None:
-        return motion.nodes(motion.period)
+        return motion.period
     orders, a = np.append(motion.orders, bodies.gravity_order), np.append(motion.a, bodies.gravity, 1)
-    return motion.nodes(Motion(orders[orders > 0], a[:, orders > 0], motion.omega, motion.cycle).period)
+    return Motion(orders[orders > 0], a[:, orders > 0], motion.omega, motion.cycle).period
 
 
 def _gravity(motion: Motion, bodies: Bodies, M: Array, epsilon: Array, integrals: int) -> Array:
@@ -251,9 +251,11 @@ def _flown(
     u and p (L, E) of the strikes, 0 outside the orbit.
 
     All fly in metres of the first driver, so that they share its motion; with gravity each has its own."""
-    epsilon, step = _nodes(motion, bodies), _step(motion, bodies)
+    period = _period(motion, bodies)
+    epsilon = motion.nodes(period)
+    step = float(epsilon[1])
     ratio, second = bodies.ratio[body], step / motion.omega[point]
-    jerk, a, v, x = (motion.over(epsilon, n) for n in (-1, 0, 1, 2))
+    jerk, a, v, x = (motion.on_nodes(period, n) for n in (-1, 0, 1, 2))
     seconds, row = step / motion.omega[:, None], point
     if bodies.gravity is not None:
         jerk, a, v, x = (
@@ -273,12 +275,12 @@ def _flown(
 
 def _step(motion: Motion, bodies: Bodies) -> Radian:
     """Between two nodes."""
-    return float(_nodes(motion, bodies)[1])
+    return float(motion.nodes(_period(motion, bodies))[1])
 
 
 def _swing(motion: Motion) -> Array:
     """(P,): half the way of the first driver from one end to the other."""
-    x = motion.over(motion.nodes(motion.period), 2)
+    x = motion.on_nodes(motion.period, 2)
     return (peak(x) + peak(-x)) / 2
 
 
@@ -296,7 +298,7 @@ def quiet_backlashes(
 ) -> tuple[Metre | None, ...]:
     """The same for several speeds at once.
 
-    The first of 48 sections at whose end a limit is reached, then twice the same of that one, and a straight line
+    The first of 48 sections at whose end a limit is reached, then of 32 of that one, and a straight line
     through the last; to 1e-5.  The speed does not rise with the backlash everywhere, so that a bisection from both ends
     could find a later one."""
     motion, bodies = motion.at([point]), bodies.at([point])
