@@ -389,7 +389,8 @@ is the last, and is no lower bound; the high one is passed in 12 % of the meshes
 force of a balance-shaft train was found: forces are verified against our own finer model only.** The energy lost in strikes is *about … at most*. Where the backlash is larger than the swing of
 the driver, rebound may double a strike, and a check of the method says so.
 
-Without gas or flywheel a usual irregularity by the number of cylinders stands for the motion of the crank, and whatever fails by it is *not verified*. `new` writes a usual gas for the
+Without gas or flywheel a usual irregularity by the number of cylinders stands for the motion of the crank, and whatever fails by it is *not verified*. It has one order and knows no
+load: γ strikes with {default:.0f} mm/s by it and with {u:.0f} by its gas, so that what holds by a default is assumed and no more. `new` writes a usual gas for the
 kind of engine and the flywheel with which it idles as unevenly as is usual, both marked `assumed`.
 
 ## What is not computed
@@ -431,6 +432,7 @@ def rattle() -> str:
     wheels = ("crank", "central", "idler", "shaft")
     exact = values(**{f"gears__wheels__{i}__runout_um": 0.0 for i in range(len(wheels))})
     return RATTLE.format(
+        default=values(engine__flywheel_inertia_kgm2=None)[speed],
         backlash=sum(of[f"gears.{mesh}.backlash_nominal"] for mesh in meshes)
         / math.cos(math.radians(of["gears.base_helix_angle"])),
         quiet_a=of["gears.drive.backlash_quiet_a"],
