@@ -17,14 +17,14 @@ from ...sheet.value import untraced
 from .checks import grade_limits
 from .result import HARDEST, IDLE, DriveResult
 from .source import Drive, Source
-from .strikes import course
+from .strikes import course, speed_over_backlash
 from .survey import Survey
 
 MM_S, UM, RPM = 1e3, 1e6, 60.0
 LOAD_WORDS = {0.0: Text("no load"), 0.5: Text("half load"), 1.0: Text("full load")}
 BELOW = -0.05  # of the highest strike: where the bar of the reversal lies under the axis
 SPIKE = 0.35  # of the backlash: the mark of the hardest strike of a cycle
-LANE = 0.4  # half the height of a zone
+WIDTHS = 60  # backlashes of which the strikes are drawn
 
 
 def load_words(source: Source, load: float) -> Text:
@@ -169,39 +169,28 @@ def _flanks(of: Survey, body: int) -> Iterator[Series]:
 
 
 def window(drive: DriveResult) -> Iterator[Curve]:
-    """Along the backlash of the way that has the least room: where it jams, where it is free, where it leaves too much
-    of what the shaft balances, where it rattles; marks at the nominal backlash, at the smallest and the largest when
-    warm, and at the grades.  What has no value is not drawn."""
+    """The hardest strike at idle without load over the nominal backlash of the way that has the least room, with the
+    grades; upright what jamming asks for, what rattle or phase allow, and the backlash as it is.  What has no value is
+    not drawn."""
     way, line = drive.window, drive.drive.line
     if way is None:
         return
     lever = drive.survey.bodies.lever[:, way.body]
     least = sum(float(line.play["least"][i] * lever[i]) for i in map(line.index, way.taken))
-    most = float(way.nominal + way.widened)
+    allows = Text("late above") if way.by_phase else Text("may rattle above")
     marks = [
+        (Text("may jam below"), way.low),
+        (allows, way.high),
         (Text("smallest, warm"), least),
         (Text("nominal"), float(way.nominal)),
-        (Text("largest, warm"), most),
-        (Text("grade A"), way.quiet_a),
-        (Text("grade B"), way.quiet_b),
+        (Text("largest, warm"), float(way.nominal + way.widened)),
     ]
-    known = [x for x in (0.0, way.low, way.high, *(x for _, x in marks)) if x is not None]
-    room = 0.05 * (max(known) - min(known))
-    start, end = min(known) - room, max(known) + room
-    loud = None if way.quiet_b is None else way.quiet_b - way.widened
-    late = way.high if way.by_phase else None
-    zones = [  # at the ends of all tolerances, hence: may
-        (Text("may jam"), start, way.low),
-        (Text("free"), way.low, way.high),
-        (Text("late"), late, end),
-        (Text("may rattle"), loud, end),
-    ]
-    boxes = [
-        _box(lane, words, left * UM, right * UM)
-        for lane, (words, left, right) in enumerate(zones, 1)
-        if left is not None and right is not None and left < right
-    ]
-    upright = np.array([0.5, 4.5])
+    known = [float(J) for _, J in marks if J is not None]
+    J = np.linspace(0.0, 1.05 * max(known), WIDTHS)
+    with untraced():
+        u = speed_over_backlash(drive.survey.motion, drive.survey.bodies, way.body, J, drive.at[IDLE])
+    quiet, loud = grade_limits()
+    upright = np.array([0.0, 1.05 * max(float(u.max()), loud) * MM_S])
     lines = [
         Series(
             Text("{mark} {J}", mark=words, J=Amount(J * UM, "µm", form=".0f")), np.full(2, J * UM), upright, dashed=True
@@ -211,14 +200,11 @@ def window(drive: DriveResult) -> Iterator[Curve]:
     ]
     yield Curve(
         "backlash_window",
-        Text("Backlash on the way to {wheel}, between jam and rattle", wheel=line.links[way.body].driven),
+        Text("Strikes at idle over the nominal backlash on the way to {wheel}", wheel=line.links[way.body].driven),
         axis_label("nominal backlash along the line of action", "µm"),
-        Text("1 may jam, 2 free, 3 late, 4 may rattle"),
-        (*boxes, *lines),
+        axis_label("u", "mm/s"),
+        (Series(Text("hardest strike"), J * UM, u * MM_S), *lines),
+        limits=((Text("grade A"), quiet * MM_S), (Text("grade B"), loud * MM_S)),
+        point=(float(way.nominal) * UM, float(np.interp(float(way.nominal), J, u)) * MM_S),
         short=3,
     )
-
-
-def _box(lane: int, words: Text, left: float, right: float) -> Series:
-    x, up = np.array([left, left, right, right, left]), np.array([-LANE, LANE, LANE, -LANE, -LANE])
-    return Series(words, x, lane + up)

@@ -309,10 +309,7 @@ def quiet_backlashes(
 
     def speeds(shares: Array) -> Array:
         """Of the hardest strike across shares of the swing."""
-        J = (shares * swing).ravel()
-        _, _, u, _ = _flown(motion, bodies, of, np.zeros(J.size, int), np.full(J.size, body), J)
-        hardest: Array = u.max(-1).reshape(shares.shape)
-        return hardest
+        return _hardest_across(motion, bodies, of, body, (shares * swing).ravel()).reshape(shares.shape)
 
     shares = np.geomspace(LEAST_SHARE, MOST_SHARE, SECTIONS)[None]  # alike for all limits, then of each its own
     u = speeds(shares)
@@ -323,6 +320,22 @@ def quiet_backlashes(
         low, high, slow, fast = _first_reached(shares, speeds(shares), limits)
     found = low + (high - low) * np.clip((limits - slow) / np.where(fast > slow, fast - slow, 1.0), 0.0, 1.0)
     return tuple(float(share * swing) if there else None for share, there in zip(found, reached, strict=True))
+
+
+def speed_over_backlash(motion: Motion, bodies: Bodies, body: int, J: Array, point: int = 0) -> Array:
+    """The hardest of a body's own strikes over the backlash of its whole path, along the line of action; 0 where there
+    is none, or where its mesh does not part of itself."""
+    motion, bodies = motion.at([point]), bodies.at([point])
+    of, u = closed(motion, bodies), np.zeros(J.size)
+    if of.parts[0, body]:
+        u[J > 0] = _hardest_across(motion, bodies, of, body, J[J > 0])
+    return u
+
+
+def _hardest_across(motion: Motion, bodies: Bodies, of: Closed, body: int, J: Array) -> Array:
+    _, _, u, _ = _flown(motion, bodies, of, np.zeros(J.size, int), np.full(J.size, body), J)
+    hardest: Array = u.max(-1)
+    return hardest
 
 
 def _first_reached(shares: Array, u: Array, limits: Array) -> tuple[Array, Array, Array, Array]:
