@@ -196,7 +196,7 @@ def window(drive: DriveResult) -> Iterator[Curve]:
             Text("{mark} {J}", mark=words, J=Amount(J * UM, "µm", form=".0f")), np.full(2, J * UM), upright, dashed=True
         )
         for words, J in marks
-        if J is not None
+        if J is not None and J > 0  # a mesh that jams has none
     ]
     yield Curve(
         "backlash_window",
