@@ -267,7 +267,7 @@ def wheel_mass(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> Kilogr
 def with_masses(
     outcome: Outcome[TrainResult], gears: GearsInputs, materials: Mapping[str, Material]
 ) -> Outcome[TrainResult]:
-    """The same outcome with the mass of each wheel."""
+    """The same outcome with the mass of each wheel of which its bore leaves something."""
     train = outcome.solution
     wheels = {}
     with trace() as lines:
@@ -275,7 +275,8 @@ def with_masses(
             wheel = train.wheels[given.name]
             with about(Text("wheel {name}, mass", name=given.name)):
                 inside = inner_diameter(wheel.root_diameter, given.bore_diameter, given.rim_thickness)
-                rho = materials[wheel.material].density
-                mass = wheel_mass(rho=rho, b=wheel.face_width, d=wheel.reference_diameter, d_i=inside)
+                rho, d, mass = materials[wheel.material].density, wheel.reference_diameter, None
+                if inside < d:
+                    mass = wheel_mass(rho=rho, b=wheel.face_width, d=d, d_i=inside)
             wheels[given.name] = replace(wheel, mass=mass)
     return replace(outcome, result=replace(train, wheels=wheels), lines=(*outcome.lines, *lines))

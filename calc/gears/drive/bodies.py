@@ -29,7 +29,7 @@ from ...sheet.units import (
 from ...sheet.value import about
 from ..backlash.formulas import play_angle_at_base
 from ..inputs import GearsInputs
-from ..rating.influence import full_stiffness, inner_diameter
+from ..rating.influence import full_stiffness, inner_diameter, must_leave_teeth
 from ..result import TrainResult
 from .inputs import DragRow
 from .line import ShaftBody, TrainOnLine
@@ -95,7 +95,7 @@ def inertias(
         if shaft is not None and shaft.with_wheel:
             continue
         with about(Text("wheel {name}, inertia", name=name)):
-            inside = inner_diameter(wheel.root_diameter, w.bore_diameter, w.rim_thickness)
+            inside = must_leave_teeth(wheel, inner_diameter(wheel.root_diameter, w.bore_diameter, w.rim_thickness))
             J = wheel_inertia(rho=materials[w.material].density, b=wheel.face_width, d=wheel.pitch_diameter, d_i=inside)
             own[name] = J if shaft is None else with_shaft(J=J, J_S=shaft.J)
     return own

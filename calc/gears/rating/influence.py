@@ -67,6 +67,24 @@ def inner_diameter(root_diameter: Metre, bore: Metre | None, rim: Metre | None) 
     return bore if bore is not None else 0.0
 
 
+def must_leave_teeth(wheel: WheelResult, inside: Metre) -> Metre:
+    """The inside of its disc.  Raises NoSolution where it reaches the root of its teeth."""
+    if inside < wheel.root_diameter:
+        return inside
+    raise NoSolution(
+        Text(
+            "wheel {name}: its bore ({inner_diameter} mm) leaves nothing of its teeth",
+            name=wheel.name,
+            inner_diameter=mm(inside, ".4g"),
+        ),
+        advice=Text(
+            "gears.wheels.{name}.bore_diameter_mm must be below {d_m} mm",
+            name=wheel.name,
+            d_m=mm(wheel.root_diameter, ".4f"),
+        ),
+    )
+
+
 def influence(
     system: ToothSystem,
     mesh: MeshResult,
@@ -249,18 +267,9 @@ def full_stiffness(
 
 def _mass(side: WheelOfPair) -> KilogramPerMetre:
     """Of one wheel, reduced to the line of action."""
-    wheel, inside = side.wheel, side.inner_diameter
+    wheel = side.wheel
+    inside = must_leave_teeth(wheel, side.inner_diameter)
     d_m = v.mean_diameter(d_a=wheel.tip_diameter, d_f=wheel.root_diameter)
-    if inside >= d_m:
-        bore, most = mm(inside, ".4g"), mm(d_m, ".4f")
-        raise NoSolution(
-            Text(
-                "wheel {name}: its bore ({inner_diameter} mm) leaves nothing of its teeth",
-                name=wheel.name,
-                inner_diameter=bore,
-            ),
-            advice=Text("gears.wheels.{name}.bore_diameter_mm must be below {d_m} mm", name=wheel.name, d_m=most),
-        )
     return v.wheel_mass(rho=side.density, d_m=d_m, d_i=inside, d_b=wheel.base_diameter)
 
 

@@ -11,7 +11,10 @@ from calc.gears.drive.bodies import GRAVITY, counted, inertias, measured, on_lin
 from calc.gears.drive.inputs import DragRow
 from calc.gears.drive.line import ShaftBody
 from calc.gears.inputs import Stage
+from calc.gears.wheel import with_masses
 from calc.library.catalogue import materials
+from calc.sheet.errors import NoSolution
+from calc.sheet.step import Outcome
 from tests.calc.gears.drive.at_work import on_shaft
 from tests.calc.gears.trains import SPEED, mesh, r753, solved, train, wheel
 
@@ -73,6 +76,16 @@ def test_the_wheel_of_a_shaft_is_in_its_inertia_or_beside_it():
     hollow = replace(gears, wheels=tuple(replace(w, bore_diameter=20e-3) for w in gears.wheels))
     bored = inertias(hollow, solved(hollow), {}, materials())["shaft"]
     assert bored == pytest.approx(J * (1 - (20e-3 / disc.pitch_diameter) ** 4), rel=1e-12)
+
+
+def test_a_wheel_of_which_its_bore_leaves_nothing_has_neither_mass_nor_inertia():
+    gears = replace(r753(), wheels=tuple(replace(w, bore_diameter=0.09) for w in r753().wheels))
+    found = solved(gears)
+    with pytest.raises(NoSolution, match="leaves nothing of its teeth"):
+        inertias(gears, found, {}, materials())
+    assert {w.mass for w in with_masses(Outcome("gears", result=found), gears, materials()).result.wheels.values()} == {
+        None
+    }
 
 
 def test_backlash_lies_along_the_line_of_action():
