@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterable
 from typing import ClassVar
 
-from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, series, table, tables, text
+from ..sheet.quantity import choice, dotted, inputs, integer, keys, quantity, series, table, tables, text, unknown
 from ..sheet.text import Amount, Text
 from ..sheet.units import Kelvin
 from .drive.inputs import DragRow, DriveInputs
@@ -703,10 +703,7 @@ class GearsInputs:
         """Drags are those of wheels and sprockets."""
         for i, row in enumerate(self.drive.drag if self.drive is not None else ()):
             if row.wheel not in self.along:
-                none = Text(
-                    'there is no wheel "{name}"; the wheels are {names}', name=row.wheel, names=", ".join(self.along)
-                )
-                yield dotted(GearsInputs.drive, DriveInputs.drag, i, DragRow.wheel), none
+                yield dotted(GearsInputs.drive, DriveInputs.drag, i, DragRow.wheel), unknown(row.wheel, self.along)
 
     def _halves(self) -> Iterable[tuple[str, Text]]:
         """The sprung half of a split wheel leaves a main half."""
