@@ -8,7 +8,7 @@ breaks something else, then one that only comes nearer.  What is locked is shown
 import math
 import time
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 
 from ...bearings.inputs import BearingsInputs
@@ -470,10 +470,11 @@ def _computed(
     if not isinstance(named, Later):
         return
     trials = Trials(state, step, group, Budget(TRIES), progress, group[0].name, FARTHEST, ROUND)
-    for changes in (dict(each.changes) for each in named if each.changes):
-        free = not any(locked(state.document.data, key) for key in changes)
-        if free and (way := _way(trials, changes)) is not None and _worth(trials, way):
-            yield way
+    for each in (each for each in named if each.changes):
+        free = not any(locked(state.document.data, key) for key, _ in each.changes)
+        if free and (way := _way(trials, dict(each.changes))) is not None and _worth(trials, way):
+            done = Text("{passes}: {effect}", passes=way.effect, effect=each.effect)
+            yield replace(way, effect=done) if way.passes and each.effect else way
 
 
 def _whole_step(
