@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from calc.bearings.kinds import KINDS as BEARINGS
 from calc.design.model import Design
 from calc.design.toml_file import design, read
 from calc.design.upgrade import current
@@ -14,6 +15,8 @@ from calc.sheet.check import KINDS, LETTER, RULES, CheckRule
 from calc.sheet.quantity import keys
 from calc.solve import Results, solve
 from tests.conftest import SHIPPED
+
+list(BEARINGS.values())  # a room is loaded when it is asked for
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 OLD = sorted((REFERENCE / "designs_0_1").glob("*.toml"))
