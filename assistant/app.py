@@ -23,7 +23,7 @@ from calc.locale import language
 from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
 
-from .actions import BY_ID
+from .actions import ANYWHERE, BY_ID, anywhere, is_typed
 from .base_app import BaseApp
 from .output import told
 from .screens.workbench import Workbench
@@ -53,7 +53,7 @@ class ContralberoApp(BaseApp):
     TITLE = "Contralbero"
     ENABLE_COMMAND_PALETTE = False  # there is one of our own
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")
+        Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id=anywhere("quit")),
     ]
 
     def __init__(
@@ -76,8 +76,9 @@ class ContralberoApp(BaseApp):
         self._hold: Timer | None = None  # ends their wait at the latest
 
     def on_mount(self) -> None:
-        if self.key_map:
-            self.set_keymap(self.key_map)
+        # what goes before the field's own keys must not take its letters
+        first = {anywhere(id): ",".join(k for k in self.keys_of(id) if not is_typed(k)) for id in ANYWHERE}
+        self.set_keymap({**self.key_map, **first})
         self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
         self.theme_changed_signal.subscribe(self, self._theme_changed)
         self.set_interval(LOOK, self.look)
@@ -162,6 +163,12 @@ class ContralberoApp(BaseApp):
         session.attend()
         self.look()
 
+    async def action_save(self) -> None:
+        """Save the design that is open, on whatever screen."""
+        work = next((screen for screen in self.screen_stack if isinstance(screen, Workbench)), None)
+        if work is not None and work.stands:
+            await work.run_action(BY_ID["save"].does)
+
     def action_command_palette(self) -> None:
         from .screens.palette import Palette
 
@@ -205,7 +212,7 @@ class ContralberoApp(BaseApp):
 
     def _keys(self, id: str) -> list[str]:
         """Of an action: those that are no letters, which a field takes as text."""
-        return (self.key_map.get(id) or BY_ID[id].keys).split(",")
+        return [key for key in self.keys_of(id) if not is_typed(key)]
 
     def release(self) -> None:
         if self._hold is not None:

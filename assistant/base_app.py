@@ -138,9 +138,19 @@ class BaseApp(App[int]):
         """The start page, over the design that is open; at its engines."""
         raise NotImplementedError
 
+    def keys_of(self, id: str) -> list[str]:
+        """The keys of an action, as the table and the user's key map have them: what the map gives to another is that
+        one's."""
+        if id in self.key_map:
+            return self.key_map[id].split(",")
+        taken = {key for keys in self.key_map.values() for key in keys.split(",")}
+        return [key for key in BY_ID[id].binding.split(",") if key not in taken]
+
     def shown_key(self, id: str) -> str:
-        """The first key of an action, as the table and the user's key map have it."""
-        return key_name((self.key_map.get(id) or BY_ID[id].binding).split(",")[0])
+        """The first key of an action; of one that has lost its keys to others the way by the palette."""
+        if keys := self.keys_of(id):
+            return key_name(keys[0])
+        return Text("{palette} “{action}”", palette=self.shown_key("palette"), action=BY_ID[id].title)
 
     def forget(self, *texts: Text) -> None:
         """Take these notifications back if they are still shown."""

@@ -20,6 +20,7 @@ from calc.locale import Language
 from calc.sheet.step import Curve, Table
 from calc.sheet.text import COMMA, Text, plural
 
+from ..actions import bound
 from ..base_app import BaseApp
 from ..output import bare
 from ..widgets.text import wrap
@@ -134,6 +135,7 @@ class CurveList(Once, ModalScreen[str | None]):
         Binding("up", "move(-1)", "Up", show=False),
         Binding("pagedown", "page(1)", "A screenful down", show=False),
         Binding("pageup", "page(-1)", "A screenful up", show=False),
+        bound("save", "app.save"),
     ]
 
     def __init__(self, step: str, leaves: tuple[Curve | Table, ...], current: str) -> None:

@@ -21,6 +21,7 @@ from calc.sheet.check import Check
 from calc.sheet.text import EMPTY, Amount, Text, plural
 from calc.studies.ready import OF_PROGRAM
 
+from ..actions import bound
 from ..base_app import BaseApp
 
 # --- closing a dialog once
@@ -240,12 +241,10 @@ class LeaveOut(Reason):
 
 
 class Ask(Once, ModalScreen[bool]):
-    """`y` or Enter gives True, `n` or Esc False."""
+    """Enter gives True, Esc False."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("y,enter", "answer(True)", "Yes", show=False),
-        Binding("n,escape", "answer(False)", "No", show=False),
-    ]
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [bound("go_on", "answer(True)"), bound("leave", "answer(False)")]
 
     def __init__(self, question: str, yes: str, no: str) -> None:
         super().__init__()
@@ -255,7 +254,8 @@ class Ask(Once, ModalScreen[bool]):
         with Vertical(classes="dialog"):
             yield Static(Content(self.question))
             yield Static("")
-            yield Static(Content.assemble(("y", "bold"), f" {self.yes}    ", ("n", "bold"), f" {self.no}"))
+            yes, no = (self.app.say(self.app.shown_key(id)) for id in ("go_on", "leave"))
+            yield Static(Content.assemble((yes, "bold"), f" {self.yes}    ", (no, "bold"), f" {self.no}"))
 
     def action_answer(self, answer: bool) -> None:
         self.dismiss(answer)

@@ -26,7 +26,7 @@ from calc.sheet.step import Curve
 from calc.sheet.text import Text
 from calc.studies.shipped import engines
 
-from ..actions import ACTIONS, key_name
+from ..actions import ACTIONS, bound, key_names
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NAME, NOTE
 from ..widgets.text import fit, folded, match
@@ -38,7 +38,7 @@ from .workbench import Workbench
 # Actions, steps, fields, checks, values, curves, engines to begin with, designs, colours and languages.
 
 Does = Callable[[], Awaitable[object] | object]
-HIDDEN = {"palette", "up", "down", "go_on", "leave", "more", "less"}  # of no use from a list
+HIDDEN = {"palette", "up", "down", "go_on", "leave", "close", "more", "less"}  # of no use from a list
 HIDDEN |= {action.id for action in ACTIONS if action.id.startswith("read")}
 ACTION, FIELD, PLACE, OTHER = 1.0, 0.9, 0.8, 0.7  # what counts more where words find both
 FOLDED = 0.8  # of a field that lies in a fold: what decides is found before it
@@ -85,9 +85,7 @@ Add = Callable[..., None]
 def _actions(work: Workbench, add: Add) -> None:
     for action in ACTIONS:
         if action.id not in HIDDEN:
-            keys = " ".join(
-                map(work.app.say, map(key_name, (work.app.key_map.get(action.id) or action.binding).split(",")[:2]))
-            )
+            keys = key_names(work.app.keys_of(action.id)[:2], work.app.say)
             does = partial(work.run_action, action.does)
             add(
                 action.title,
@@ -238,6 +236,7 @@ class Palette(ModalScreen[None]):
         Binding("up", "move(-1)", "Up", show=False, priority=True),
         Binding("pagedown", "move(10)", "A screenful down", show=False, priority=True),
         Binding("pageup", "move(-10)", "A screenful up", show=False, priority=True),
+        bound("save", "app.save"),
     ]
 
     def __init__(self) -> None:

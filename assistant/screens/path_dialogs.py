@@ -19,6 +19,7 @@ from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import designs, shipped_name
 
+from ..actions import bound
 from ..base_app import BaseApp
 from ..session.beginnings import engine_only, own_file
 from ..session.compare_with import Chosen, Other, kept, of_file, of_session, past
@@ -175,9 +176,11 @@ class CompareWith(Once, ModalScreen[Chosen | None]):
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q", "cancel", "Back", show=False),
-        Binding("j", "move(1)", "Down", show=False),
-        Binding("k", "move(-1)", "Up", show=False),
+        bound("leave", "cancel"),
+        bound("save", "app.save"),
+        bound("close", "cancel"),
+        bound("down", "move(1)"),
+        bound("up", "move(-1)"),
     ]
 
     def __init__(self, session: Session) -> None:

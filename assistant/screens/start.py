@@ -22,6 +22,7 @@ from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import EXAMPLE
 
+from ..actions import anywhere, bound
 from ..base_app import TYPING, BaseApp
 from ..session.beginnings import Beginning, Finding, finding, groups
 from ..session.recovery import Memory
@@ -177,9 +178,10 @@ class Start(Screen[None]):
         Binding("up", "move(-1)", "Up", show=False, priority=True),
         Binding("pagedown", "page(1)", "A screenful down", show=False, priority=True),
         Binding("pageup", "page(-1)", "A screenful up", show=False, priority=True),
-        Binding("ctrl+p", "app.command_palette", "Palette", show=False, priority=True),
-        Binding("ctrl+o", "open", "Open", show=False, priority=True),
+        Binding("ctrl+p", "app.command_palette", "Palette", show=False, priority=True, id=anywhere("palette")),
+        Binding("ctrl+o", "open", "Open", show=False, priority=True, id=anywhere("open")),
         Binding("escape", "leave", "Back", show=False, priority=True),
+        bound("save", "app.save"),
     ]
 
     def __init__(self, memory: Memory, missing: Path | None = None, *, engines: bool = False) -> None:
@@ -212,7 +214,11 @@ class Start(Screen[None]):
             yield BeginningList(id="ways", compact=True)
             yield BeginDetail(self.memory)
         leaves = Text("ends") if len(self.app.screen_stack) < 2 else Text("goes back")
-        hint = Text("Enter begins   ↑ ↓ choose   ^o opens a file   Esc {leaves}", leaves=leaves)
+        hint = Text(
+            "Enter begins   ↑ ↓ choose   {open} opens a file   Esc {leaves}",
+            open=self.app.shown_key("open"),
+            leaves=leaves,
+        )
         yield Static(Content.styled(f" {say(hint)}", "dim"), id="start-keys")
 
     def on_mount(self) -> None:

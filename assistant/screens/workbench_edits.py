@@ -123,6 +123,11 @@ class WorkbenchEdits(WorkbenchMoves):
             field.box.value = text
             field.box.cursor_position = len(text)
 
+    def action_lock(self) -> None:
+        """Lock the input of a field, or unlock it."""
+        if not self.form.toggle_lock():
+            self.app.tell(Text("Go to a field first: it is an input that can be locked."))
+
     # --- undo and redo
     async def action_undo(self) -> None:
         await self._travel(self.session.undo, Text("Undone"), Text("Nothing to undo."))

@@ -32,7 +32,6 @@ LEAVING: tuple[Binding, ...] = (
     Binding("up", f"screen.{BY_ID['up'].does}", "Previous field", show=False, priority=True),
 )
 AT_ONCE = ("down", "up", "go_on", "quit")  # actions that have such a binding, here or in the app
-LOCK = "k"
 EDITS = {binding.key: binding.action for binding in Binding.make_bindings(Input.BINDINGS)}
 
 
@@ -55,12 +54,6 @@ class Entry(Input):
     @dataclass
     class Began(Message):
         """The first key was struck."""
-
-        entry: "Entry"
-
-    @dataclass
-    class Locked(Message):
-        """The lock of the input is asked for."""
 
         entry: "Entry"
 
@@ -88,11 +81,6 @@ class Entry(Input):
     async def _on_key(self, event: events.Key) -> None:
         """Keys that edit act at once and not when they have come back from all parents: those that were struck later
         would come first."""
-        if event.key == LOCK and self.numeric and not self.editing:
-            event.stop()
-            event.prevent_default()
-            self.post_message(self.Locked(self))
-            return
         action = EDITS.get(event.key)
         if action is not None or event.is_printable:
             self._begin()
@@ -173,12 +161,6 @@ class Choice(Widget, can_focus=True):
         choice: "Choice"
         value: str
 
-    @dataclass
-    class Locked(Message):
-        """The lock of the input is asked for."""
-
-        choice: "Choice"
-
     def __init__(self, words: tuple[str, ...], value: str, *, optional: bool, prompt: str, named: bool = False) -> None:
         """`named`: the words are names, which every language leaves as they are."""
         super().__init__()
@@ -217,15 +199,13 @@ class Choice(Widget, can_focus=True):
         return Content.assemble((f"{text:<{room}} ", "" if self.value else "italic dim"), (mark, "dim"))
 
     def on_key(self, event: events.Key) -> None:
-        """A letter or a digit begins a word; `k` is the key of the lock."""
+        """A letter or a digit begins a word."""
         if not event.is_printable or not event.character or not event.character.isalnum():
             return
         event.stop()
         event.prevent_default()
         if self.app.screen is not self.screen:  # struck while the list was being opened
             self.app.screen.post_message(event)
-        elif event.key == LOCK:
-            self.post_message(self.Locked(self))
         else:
             self.action_open(event.character)
 

@@ -560,15 +560,14 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.app.tell(Text("There is no field left for {values}.", values="; ".join(left)), "warning")
         self.screen.set_focus(fields[min(len(values), len(fields)) - 1].box)
 
-    def on_entry_locked(self, event: Entry.Locked | Choice.Locked) -> None:
-        """Lock the input against remedies and searches, or unlock it."""
-        event.stop()
-        if (field := self.field) is not None:
-            self.session.toggle_lock(field.place)
-            field.redraw()
-            self.post_message(self.Changed())
-
-    on_choice_locked = on_entry_locked
+    def toggle_lock(self) -> bool:
+        """Lock the input that has the focus against remedies and searches, or unlock it; False where there is none."""
+        if (field := self.field) is None:
+            return False
+        self.session.toggle_lock(field.place)
+        field.redraw()
+        self.post_message(self.Changed())
+        return True
 
     def on_fold_turned(self, event: Fold.Turned) -> None:
         event.stop()

@@ -21,6 +21,7 @@ from calc.sheet.number import short
 from calc.sheet.quantity import dotted, keys
 from calc.sheet.text import EMPTY, Name, Text
 
+from ..actions import bound
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NOTE
 from ..session.places import BEARINGS, NAME, SHAFTS, content_at, original_of, twin_words, with_bearings
@@ -46,8 +47,9 @@ class ArrayHeading(Widget, can_focus=True):
         *LEAVING,
         Binding("left", "leaf(-1)", "Element before", show=False),
         Binding("right,space", "leaf(1)", "Next element", show=False),
-        Binding("plus", "add", "Add an element", show=False),
-        Binding("minus,delete", "remove", "Remove the element", show=False),
+        bound("add", "add"),
+        bound("leave_out", "remove"),
+        Binding("delete", "remove", "Remove the element", show=False),
     ]
     HELP = Text(
         "+ (or Enter, while there is none) adds an element, like the last one; − takes out the one that is shown (the "
@@ -264,8 +266,9 @@ class TableHeading(Widget, can_focus=True):
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         *LEAVING,
-        Binding("plus", "add", "Add the table", show=False),
-        Binding("minus,delete", "remove", "Remove the table", show=False),
+        bound("add", "add"),
+        bound("leave_out", "remove"),
+        Binding("delete", "remove", "Remove the table", show=False),
     ]
     HELP = Text(
         "This part may be left out. + or Enter adds it, its fields empty; − takes it out with all its fields. Undo "
