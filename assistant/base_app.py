@@ -17,6 +17,7 @@ from textual.color import Color
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 from textual.screen import Screen
+from textual.timer import Timer
 
 from calc.locale import LANGUAGES, language
 from calc.sheet.text import EMPTY, Text
@@ -130,8 +131,14 @@ class BaseApp(App[int]):
         """Go on in another language."""
         raise NotImplementedError
 
-    def release(self) -> None:
-        """Let the keys go on that came while a chosen command was still to be run."""
+    @property
+    def holding(self) -> Timer | None:
+        """For what the keys wait that come now; none where they wait for nothing."""
+        raise NotImplementedError
+
+    def release(self, hold: Timer | None) -> None:
+        """Let the keys go on that came while a chosen command was still to be run, unless they wait for another one
+        by now."""
         raise NotImplementedError
 
     def begin(self, *, engines: bool = False) -> None:

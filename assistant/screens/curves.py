@@ -23,6 +23,7 @@ from calc.sheet.text import COMMA, Text, plural
 from ..actions import bound
 from ..base_app import BaseApp
 from ..output import bare
+from ..widgets.entry import Line
 from ..widgets.text import wrap
 from .dialogs import Once
 
@@ -150,7 +151,7 @@ class CurveList(Once, ModalScreen[str | None]):
         listed = COMMA.join((plural("{n} curve", "{n} curves", n=curves), plural("{n} table", "{n} tables", n=tables)))
         with Vertical(classes="dialog"):
             yield Static(Content.styled(f"{self.step}: {say(listed)}", "bold"))
-            yield Input(placeholder=say(Text("words of the title")), compact=True, id="words")
+            yield Line(placeholder=say(Text("words of the title")), compact=True, id="words")
             yield OptionList(id="leaves", compact=True)
             yield Static(Content.styled(say(Text("Enter shows it, ↑ ↓ choose, Esc goes back")), "dim"))
 

@@ -23,6 +23,7 @@ from calc.studies.ready import OF_PROGRAM
 
 from ..actions import bound
 from ..base_app import BaseApp
+from ..widgets.entry import Line
 
 # --- closing a dialog once
 # Enter that repeats, or comes twice before the first is dealt with, must not close what is behind it.
@@ -152,7 +153,7 @@ class Reason(Once, ModalScreen[str | None]):
         with Vertical(classes="dialog"):
             yield Static(Content.styled(say(self.question), "bold"))
             yield Static(Content(self.about))
-            yield Input(compact=True, select_on_focus=False, id="words")
+            yield Line(compact=True, select_on_focus=False, id="words")
             if self.usual:
                 yield OptionList(*(Content(say(reason)) for reason in self.usual), compact=True, id="names")
             yield Static("", classes="wrong")

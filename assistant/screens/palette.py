@@ -29,6 +29,7 @@ from calc.studies.shipped import engines
 from ..actions import ACTIONS, bound, key_names
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NAME, NOTE
+from ..widgets.entry import Line
 from ..widgets.text import fit, folded, match
 from .explain import Explain
 from .path_dialogs import begin_with
@@ -251,7 +252,7 @@ class Palette(ModalScreen[None]):
         work = next((screen for screen in self.app.screen_stack if isinstance(screen, Workbench)), None)
         self._entries = entries(self.app, work)
         with Vertical(classes="dialog", id="palette"):
-            yield Input(
+            yield Line(
                 placeholder=self.app.say(Text("what to do, or where to go: words in any order")),
                 compact=True,
                 id="words",
@@ -261,7 +262,7 @@ class Palette(ModalScreen[None]):
 
     def on_mount(self) -> None:
         self.fill()
-        self.call_after_refresh(self.app.release)
+        self.call_after_refresh(self.app.release, self.app.holding)
 
     def on_resize(self) -> None:
         self.call_after_refresh(self.fill)
@@ -325,7 +326,7 @@ class Palette(ModalScreen[None]):
             self.fill()
         at = self.query_one(PaletteHit).highlighted
         if at is None:
-            self.app.release()
+            self.app.release(self.app.holding)
         else:
             self._end(self.rows[at])
 
@@ -338,7 +339,7 @@ class Palette(ModalScreen[None]):
         if self._ending:
             return
         self._ending = True
-        app = self.app
+        app, hold = self.app, self.app.holding
 
         async def run() -> None:
             try:
@@ -347,7 +348,7 @@ class Palette(ModalScreen[None]):
                     if isawaitable(result):
                         await result
             finally:
-                app.call_after_refresh(app.call_after_refresh, app.release)  # the focus is where it leads
+                app.call_after_refresh(app.call_after_refresh, app.release, hold)  # the focus is where it leads
 
         self.dismiss()
         app.call_later(run)

@@ -27,6 +27,7 @@ from ..base_app import TYPING, BaseApp
 from ..session.beginnings import Beginning, Finding, finding, groups
 from ..session.recovery import Memory
 from ..session.session import Session
+from ..widgets.entry import Line
 from ..widgets.text import fit, folded, match, pad, wrap
 from .path_dialogs import OpenDialog, begin_with
 
@@ -205,7 +206,7 @@ class Start(Screen[None]):
             ),
             id="start-title",
         )
-        yield Input(
+        yield Line(
             placeholder=say(Text("type to find an engine or a design: inline 3, boxer, own …")),
             compact=True,
             id="words",
@@ -223,7 +224,7 @@ class Start(Screen[None]):
 
     def on_mount(self) -> None:
         self.fill()
-        self.call_after_refresh(self.app.release)
+        self.call_after_refresh(self.app.release, self.app.holding)
         self.set_timer(TYPING, self._look_at_all)
 
     # --- what shakes, and what balancing it calls for

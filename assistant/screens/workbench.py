@@ -63,11 +63,12 @@ class Workbench(WorkbenchEdits):
     # --- keys
     async def action_act(self, id: str) -> None:
         """Run an action of the table.  Keys that wait for it go where it has led."""
+        hold = self.app.holding
         name, *arguments = BY_ID[id].call or (id,)
         result = getattr(self, f"action_{name}")(*arguments)
         if isawaitable(result):
             await result
-        self.app.screen.call_after_refresh(self.app.release)
+        self.app.screen.call_after_refresh(self.app.release, hold)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Keys do nothing, and are lost, while there is nothing that they could act on; those that leaf through shafts

@@ -35,7 +35,21 @@ AT_ONCE = ("down", "up", "go_on", "quit")  # actions that have such a binding, h
 EDITS = {binding.key: binding.action for binding in Binding.make_bindings(Input.BINDINGS)}
 
 
-class Entry(Input):
+class Line(Input):
+    """A line to type on.  Keys that edit act at once, and not when they have come back from all parents: those that
+    were struck later would come first."""
+
+    async def _on_key(self, event: events.Key) -> None:
+        action = EDITS.get(event.key)
+        if action is None or event.is_printable:
+            await super()._on_key(event)
+            return
+        event.stop()
+        event.prevent_default()
+        await self.run_action(action)
+
+
+class Entry(Line):
     """A one-row text input.  The first key replaces the text, as in a table; from then on it is being edited, and Esc
     takes it back.
 
@@ -79,17 +93,9 @@ class Entry(Input):
         self.virtual_size = Size(self.content_width, 1)
 
     async def _on_key(self, event: events.Key) -> None:
-        """Keys that edit act at once and not when they have come back from all parents: those that were struck later
-        would come first."""
-        action = EDITS.get(event.key)
-        if action is not None or event.is_printable:
+        if event.key in EDITS or event.is_printable:
             self._begin()
-        if action is None or event.is_printable:
-            await super()._on_key(event)
-            return
-        event.stop()
-        event.prevent_default()
-        await self.run_action(action)
+        await super()._on_key(event)
 
     def _begin(self) -> None:
         if not self.editing:

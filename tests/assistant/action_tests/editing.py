@@ -54,6 +54,18 @@ async def redo(pilot: Pilot[int], do: Do) -> None:
 
 
 @deed
+async def lock(pilot: Pilot[int], do: Do) -> None:
+    session = work(pilot).session
+    await do()
+    assert "Go to a field first" in told(pilot)
+    await go_to(pilot, SHARE)
+    if pilot.app.focused is not None:
+        await do()
+    await still(pilot)
+    assert session.lock_reason(SHARE) and "locked in the session" in text(pilot)
+
+
+@deed
 async def more(pilot: Pilot[int], do: Do) -> None:
     await nudged(pilot, do, "[0.55     ]", 0.55)
 
