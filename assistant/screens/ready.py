@@ -37,6 +37,14 @@ from .dialogs import Once
 from .workbench_panes import WorkbenchPanes
 
 # actions that the page gives beside a step's key and a check's id
+KEYS = (
+    ("report", Text("PDF")),
+    ("export", Text("export")),
+    ("save", Text("save")),
+    ("drive", Text("drives")),
+    ("not_counted", Text("not counted")),
+    ("leave", Text("back")),
+)
 GIVEN = ("report", "export", "drive", "palette", "undo", "redo", "quit")
 PICTURE = (90, 14)  # cells of the picture at most
 ASSUMED, NOT_COUNTED = "assumed", "not_counted"  # what is folded
@@ -285,13 +293,12 @@ class ReadyScreen(Once, Screen[str | None]):
 
     def show_keys(self) -> None:
         """The last row: what Enter does with the row under the cursor, and the other keys."""
-        keys = Text(
-            "{report} PDF · {export} export · {save} save · {drive} drives · {not_counted} not counted · {leave} back",
-            **{id: self.app.shown_key(id) for id in ("report", "export", "save", "drive", "not_counted", "leave")},
-        )
-        if does := self.query_one(Closing).enter:
-            keys = Text("Enter {does} · {keys}", does=does, keys=keys)
-        self.query_one("#ready-keys", Static).update(Content.styled(f" {self.app.say(keys)}", "dim"), layout=False)
+        say, enter = self.app.say, self.query_one(Closing).enter
+        parts = [f"{say(self.app.shown_key(id))} {say(word)}" for id, word in KEYS]
+        parts = [f"{say(self.app.shown_key('go_on'))} {say(enter)}", *parts] if enter else parts
+        while len(" · ".join(parts)) > self.size.width - 2 and len(parts) > 2:
+            del parts[-2]  # the last leads back
+        self.query_one("#ready-keys", Static).update(Content.styled(" " + " · ".join(parts), "dim"), layout=False)
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:
         event.stop()
@@ -299,11 +306,14 @@ class ReadyScreen(Once, Screen[str | None]):
 
     def on_mount(self) -> None:
         self.query_one(Closing).focus()
-        self.show_keys()
         if self.unfolded:
             self.call_after_refresh(self.action_unfold, self.unfolded)
 
     def on_resize(self) -> None:
+        self.show_title()
+        self.show_keys()
+
+    def show_title(self) -> None:
         """The design and its verdict at both ends of the first row."""
         say, signs, name = self.app.say, self.app.signs, self.session.design.name
         title = f" {say(Text('Ready'))}: {name}" if whole_of(self.session).ready else f" {name}"

@@ -51,7 +51,7 @@ async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, 
         assert start(pilot).here is not None and start(pilot).here.id == "v6-60"  # type: ignore[union-attr]
         await strike(pilot, "enter")
         await until(pilot, lambda: bool(pilot.app.screen.query("#path")))
-        assert pilot.app.screen.query_one("#path", Input).value == str(tmp_path / "own-v6-60.toml")
+        assert pilot.app.screen.query_one("#path", Input).value == "own-v6-60.toml"
         await strike(pilot, "enter")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands)
         session = work(pilot).session
