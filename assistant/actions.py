@@ -218,8 +218,8 @@ def bound(id: str, does: str = "", keys: str = "") -> Binding:
 
 
 # actions that open a screen, on which the keys that follow are meant to be struck
-OPENS = ("help", "fix", "choose", "drive", "accept", "leave_out", "ready", "not_counted", "export", "curves", "save_as")
-OPENS += ("new", "open", "record", "compare", "palette", "explain")
+OPENS: tuple[str, ...] = ("help", "fix", "choose", "drive", "accept", "leave_out", "ready", "not_counted", "export")
+OPENS += ("curves", "save_as", "new", "open", "record", "compare", "palette", "explain")
 ANYWHERE = ("quit", "palette", "open")  # actions whose keys come before those of a field, also where one types
 
 

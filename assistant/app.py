@@ -188,7 +188,7 @@ class ContralberoApp(BaseApp):
         if not isinstance(event, events.Key) or event.is_forwarded:
             await super().on_event(event)
             return
-        self.struck = time.monotonic()
+        self.struck, self.struck_key = time.monotonic(), event.key
         if event.key.startswith("alt+"):
             # a terminal that sends Esc before it writes the digit too, which no field is to take
             event.character = None

@@ -95,7 +95,7 @@ class BaseApp(App[int]):
         self.memory = session.memory if session is not None else memory or Memory()
         self.warned_of: Path | None = None  # the file that another program has changed, once the user has been told
         self.writing = EMPTY  # a file that is being written, and how far it is
-        self.struck = 0.0  # when the last key was struck, by `time.monotonic`
+        self.struck, self.struck_key = 0.0, ""  # when the last key was struck, by `time.monotonic`, and which
         self.guiding = settings.guide  # each form begins with what is to be decided in its step
 
     def get_line_filters(self) -> Sequence[LineFilter]:

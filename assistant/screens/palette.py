@@ -198,10 +198,7 @@ def _program(app: BaseApp, open: bool, add: Add) -> None:
 
 async def to_check(work: Workbench, check: Check) -> None:
     step = next(step for step in STEPS if step.key == check.id.partition(".")[0])
-    work.at_pane("checks")
-    await work.open_step(step, stay=True)
-    work.checks.focus()
-    work.call_after_refresh(work.checks.go_to, check.id)
+    await work.to_check(step, check.id)
 
 
 def explain(work: Workbench, id: str) -> None:

@@ -300,8 +300,8 @@ def errors_text(bad: BadInput, place: str) -> Text:
 
 
 class TargetDialog(PathDialog[Path | None]):
-    """Gives the path of a file to write: what is typed takes the place of its name, folder and ending stay; a path leads
-    elsewhere, and an ending that is typed goes before.  `own`: a file that may be overwritten without asking."""
+    """Gives the path of a file to write: what is typed takes the place of its name, folder and ending stay; a path
+    leads elsewhere, and an ending that is typed goes before.  `own`: a file that may be overwritten without asking."""
 
     def __init__(self, start: Path, own: Path | None = None) -> None:
         super().__init__(start.name, start.parent)

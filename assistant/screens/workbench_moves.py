@@ -11,6 +11,7 @@ from calc.design.addresses import asks, step_at
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput
+from calc.sheet.step import Step
 from calc.sheet.text import Text
 from calc.sheet.verdict import severity
 
@@ -104,6 +105,13 @@ class WorkbenchMoves(WorkbenchResults):
             self.look_at(shaft)
         self.set_focus(checks)
         self.call_after_refresh(checks.go_to, check.id)
+
+    async def to_check(self, step: Step, id: str) -> None:
+        """To a finding of a step."""
+        self.at_pane("checks")
+        await self.open_step(step, stay=True)
+        self.set_focus(self.checks)
+        self.call_after_refresh(self.checks.go_to, id)
 
     def action_line(self) -> None:
         """From a check to the line of the calculation that gives its value."""
@@ -419,9 +427,9 @@ class WorkbenchMoves(WorkbenchResults):
         if to in BY_ID:
             await self.run_action(BY_ID[to].does)
         elif to is not None:
-            step, _, check = to.partition(".")
-            self.at_pane("checks" if check else "inputs")
-            await self.open_step(next(candidate for candidate in STEPS if candidate.key == step), stay=bool(check))
-            if check:
-                self.checks.focus()
-                self.call_after_refresh(self.checks.go_to, to)
+            step = next(step for step in STEPS if step.key == to.partition(".")[0])
+            if "." in to:
+                await self.to_check(step, to)
+            else:
+                self.at_pane("inputs")
+                await self.open_step(step)
