@@ -142,7 +142,18 @@ async def test_sections_lines_and_copying(screen: Screen, monkeypatch: pytest.Mo
         for key in ("tab", "right", "h", "left", "left", "right", "l", "l", "l", "l"):
             await strike(pilot, key)
             sections.append(shown.section)
-        there = ("Inputs", "Verdicts", "Inputs", "Conclusion", "Conclusion", "Inputs", "Verdicts", "Checks", "Values", "Values")
+        there = (
+            "Inputs",
+            "Verdicts",
+            "Inputs",
+            "Conclusion",
+            "Conclusion",
+            "Inputs",
+            "Verdicts",
+            "Checks",
+            "Values",
+            "Values",
+        )
         assert tuple(sections) == there
         top = text(pilot).splitlines()[1]
         assert "▸Values" in top and "Inputs 1 " in top
