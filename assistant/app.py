@@ -172,7 +172,12 @@ class ContralberoApp(BaseApp):
         self.look()
 
     async def action_save(self) -> None:
-        """Save the design that is open, on whatever screen."""
+        """Save the design that is open, on whatever screen; but where it is asked how."""
+        from .screens.dialogs import Ask
+        from .screens.path_dialogs import TargetDialog
+
+        if isinstance(self.screen, (Ask, TargetDialog)):
+            return
         work = next((screen for screen in self.screen_stack if isinstance(screen, Workbench)), None)
         if work is not None and work.stands:
             await work.run_action(BY_ID["save"].does)

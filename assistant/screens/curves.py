@@ -131,7 +131,7 @@ class CurveList(Once, ModalScreen[str | None]):
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "cancel", "Back", show=False),
+        bound("leave", "cancel"),
         Binding("down", "move(1)", "Down", show=False),
         Binding("up", "move(-1)", "Up", show=False),
         Binding("pagedown", "page(1)", "A screenful down", show=False),

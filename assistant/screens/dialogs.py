@@ -49,7 +49,7 @@ class Once(Below):
 class Choose(Once, ModalScreen[str | None]):
     """Gives the word, an empty one for "let the program choose", None when nothing was chosen."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Back", show=False)]
+    BINDINGS: ClassVar[list[BindingType]] = [bound("leave", "cancel"), bound("save", "app.save")]
 
     def __init__(
         self,
@@ -138,7 +138,8 @@ class Reason(Once, ModalScreen[str | None]):
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "cancel", "Cancel", show=False),
+        bound("leave", "cancel"),
+        bound("save", "app.save"),
         Binding("enter", "take", "Take the reason", show=False, priority=True),
         Binding("down", "list(1)", "To the usual reasons", show=False, priority=True),
         Binding("up", "list(-1)", "Back to the reason", show=False, priority=True),

@@ -117,9 +117,9 @@ class HelpScreen(Once, ModalScreen[None]):
         for id, shown in (("#help-text", not all), ("#help-wanted", not all), ("#help-all", all)):
             self.query_one(id).display = shown
         foot = (
-            Text("↑ ↓ scroll   F1 goes back to the page before   Esc closes")
+            Text("↑ ↓ scroll   {key} goes back to the page before   Esc closes", key=self.app.shown_key("help"))
             if all
-            else Text("F1 once more: all keys   ↑ ↓ scroll   Esc closes")
+            else Text("{key} once more: all keys   ↑ ↓ scroll   Esc closes", key=self.app.shown_key("help"))
         )
         self.query_one("#help-foot", Static).update(Content.styled(self.app.say(foot), "dim"))
         # now, and not after the keys that are waiting
@@ -209,7 +209,7 @@ class HelpScreen(Once, ModalScreen[None]):
             Content.assemble((self.app.say(about.label), "bold"), (f"   {key}", "dim")),
             *([Content(self.app.say(about.help))] if about.help else []),
         ]
-        lines.append(Content(self.app.say(heading.HELP)))
+        lines.append(Content(self.app.say(heading.does())))
         if heading.reason:
             lines.append(
                 Content.styled(

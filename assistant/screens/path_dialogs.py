@@ -46,7 +46,8 @@ class PathDialog(Once, ModalScreen[Found]):
     HINT = EMPTY
     ENDINGS: tuple[str, ...] = (".toml",)  # of the files that are listed
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "cancel", "Cancel", show=False),
+        bound("leave", "cancel"),
+        bound("save", "app.save"),
         Binding("down", "list(1)", "To the list", show=False, priority=True),
         Binding("up", "list(-1)", "Back from the list", show=False, priority=True),
     ]

@@ -248,7 +248,7 @@ def _bulleted(text: str, width: int) -> Iterator[tuple[str, str]]:
 
 
 def _whom(reason: str) -> Text:
-    return Text("the program, until you say so (- in the step)") if reason in OF_PROGRAM else Text("you")
+    return Text("the program, until you say so in the step") if reason in OF_PROGRAM else Text("you")
 
 
 def _title(step: str) -> Text:

@@ -199,14 +199,12 @@ class Workbench(WorkbenchEdits):
         if pane is not None:
             self.at_pane(pane)
         self.show_help()
-        if isinstance(event.widget, Checks):
-            self.call_later(self.show_finding)
+        self.call_later(self.show_finding)
 
     def on_descendant_blur(self, event: events.DescendantBlur) -> None:
         self.call_later(self.show_help)
         self.call_later(self._keep_focus)
-        if isinstance(event.widget, Checks) and self.stands:
-            self.call_later(self.show_finding)
+        self.call_later(self.show_finding)
 
     def _keep_focus(self) -> None:
         """A list that is hidden and shown between two frames loses the focus, with nobody to take it."""

@@ -161,9 +161,10 @@ class WorkbenchEdits(WorkbenchMoves):
             there = self.form.field
             if there is not None:
                 there.rewrite()
-            if by_letter and not (there is not None and isinstance(there.box, Entry) and there.box.numeric):
-                self.form.last = place  # where the next letter would be typed, it shall be a key as well
-                self.form.focus(scroll_visible=False)
+            if by_letter:  # the next letter shall be a key as well; Enter goes into the field
+                self.form.last = place
+                self.set_focus(self.form, scroll_visible=False)
+                self.call_after_refresh((there or self.form).scroll_visible, animate=False)
         elif step is not None:
             self.at_pane("inputs")
             await self.open_step(step)

@@ -77,6 +77,11 @@ class WorkbenchPanes(Screen[None]):
     def reset_panes(self) -> None:
         self.pane, self.turned, self.large = "inputs", TURNED[0], False
 
+    @property
+    def enter_leads(self) -> str:
+        """The step that Enter leads to now; empty where it does something else."""
+        raise NotImplementedError
+
     # --- the parts
     def compose(self) -> ComposeResult:
         # the classes that the width will give, before there is anything that would have to be styled anew
@@ -98,7 +103,7 @@ class WorkbenchPanes(Screen[None]):
                 with Vertical(id="judged"):
                     yield Pane(Text("Findings"), Checks(), id="checks")
                     yield Pane(Text("Calculation"), Calculation(), id="calculation")
-        yield MessageLine(self.session)
+        yield MessageLine(self.session, lambda: self.enter_leads)
         yield FooterLine()
 
     async def compose_again(self) -> None:

@@ -500,13 +500,16 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     def go_on(self) -> None:
         """To the next field below, past headings and folds; from the last one to the next step."""
-        stops = self.stops()
-        here = stops.index(self.screen.focused) if self.screen.focused in stops else -1
-        below = (stop for stop in stops[here + 1 :] if isinstance(stop, (Entry, Choice)))
-        if (stop := next(below, None)) is not None:
+        if (stop := self.below()) is not None:
             self.screen.set_focus(stop)
         else:
             self.post_message(self.Done())
+
+    def below(self) -> Widget | None:
+        """The next field below that which has the focus."""
+        stops = self.stops()
+        here = stops.index(self.screen.focused) if self.screen.focused in stops else -1
+        return next((stop for stop in stops[here + 1 :] if isinstance(stop, (Entry, Choice))), None)
 
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         if (field := self.field) is not None:

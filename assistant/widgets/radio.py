@@ -74,7 +74,8 @@ class Todo(Radio):
 
     def explained(self) -> tuple[str, str]:
         title, text = super().explained()
-        return title, f"{text} {self.app.say(Text('- leaves the step out, for a reason that you type.'))}"
+        leave = Text("{key} leaves the step out, for a reason that you type.", key=self.app.shown_key("leave_out"))
+        return title, f"{text} {self.app.say(leave)}"
 
 
 class Balance(Radio):
