@@ -113,7 +113,7 @@ class RemedyList(ItemList):
 
 SECONDS = 6.0  # after which no further kind is begun
 NARROW = 100  # cells below which the list has the whole screen
-HINT = Text("Enter applies the row · {lock} locks its input · {export} writes a table · Esc")
+HINT = Text("{lock} locks its input · {export} writes a table · Esc goes back")
 
 
 def table(ways: tuple[RepairOption, ...], say: Language) -> str:
@@ -179,8 +179,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             yield RemedyList()
             yield Static(id="remedies-state")
             yield Static(id="remedies-preview")
-            hint = Text(HINT.template, lock=self.app.shown_key("lock"), export=self.app.shown_key("export"))
-            yield Static(Content.styled(self.app.say(hint), "dim"))
+            yield Static(id="remedies-hint")
 
     def on_mount(self) -> None:
         self.query_one("#remedies-title", Static).update(self._title())
@@ -258,6 +257,20 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             fails = Text("then fails: {checks}", checks=Text(", ").join(way.breaks))
             lines += [Content.styled(row, "dim") for row in wrap(say(fails), self.room, 2)[:2]]
         self.query_one("#remedies-preview", Static).update(Content("\n").join(lines))
+        self.query_one("#remedies-hint", Static).update(Content.styled(say(self._hint()), "dim"))
+
+    def _hint(self) -> Text:
+        """What Enter does with the row, and the other keys."""
+        keys, way = Text(HINT.template, lock=self.app.shown_key("lock"), export=self.app.shown_key("export")), self.way
+        if way is None:
+            return Text("Esc goes back")
+        if way.locked:
+            return keys
+        return (
+            Text("Enter applies it · {keys}", keys=keys)
+            if way.changes
+            else Text("Enter goes there · {keys}", keys=keys)
+        )
 
     # --- what the keys do
     def action_take(self) -> None:

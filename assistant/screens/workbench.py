@@ -21,7 +21,7 @@ from ..widgets.curve_pane import CurvePane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
-from ..widgets.headings import ArrayHeading, TableHeading
+from ..widgets.headings import ArrayHeading, Fold, TableHeading
 from ..widgets.item_list import ItemList
 from ..widgets.steps import READY
 from .workbench_edits import WorkbenchEdits
@@ -140,6 +140,12 @@ class Workbench(WorkbenchEdits):
     # --- the lists: what belongs to a row that is moved to is shown beside it, and a row that is chosen leads somewhere
     @on(ItemList.Moved, "Radio")
     def radio_moved(self) -> None:
+        self.show_help()
+        self.show_finding()
+
+    @on(Fold.Turned)
+    def fold_turned(self, event: Fold.Turned) -> None:
+        event.stop()
         self.show_help()
 
     @on(ItemList.Moved, "Checks")

@@ -27,7 +27,7 @@ from ..widgets.entry import Choice, Entry
 from ..widgets.form import Form
 from ..widgets.headings import ArrayHeading, TableHeading
 from ..widgets.item_list import ItemList
-from ..widgets.radio import Radio
+from ..widgets.radio import Balance, Radio
 from ..widgets.steps import Steps, nothing_left, states_of
 from ..widgets.table_list import TableList
 from .help import HelpScreen
@@ -78,9 +78,11 @@ class WorkbenchMoves(WorkbenchResults):
         focused, after = self.focused, self._beside(1)
         if isinstance(focused, Steps):
             return focused.key
-        if isinstance(focused, Radio):
+        if isinstance(focused, Balance) and focused.taken:
+            leads_on = True
+        elif isinstance(focused, Radio):
             return self.step.key
-        if focused is self.form:
+        elif focused is self.form:
             leads_on = self._done
         elif isinstance(focused, (ArrayHeading, TableHeading)):
             leads_on = not focused.adds and self.form.below() is None

@@ -573,7 +573,6 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         return True
 
     def on_fold_turned(self, event: Fold.Turned) -> None:
-        event.stop()
         n = int(str(event.fold.row.place[-1]))
         self.opened = self.opened | {n} if event.open else self.opened - {n}
         self.refresh_fields(self.session.reasons())

@@ -3,7 +3,7 @@
 
 The message is why an input is not accepted, what a step waits for, or a finding, that under the cursor or the worst."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from textual.content import Content
@@ -120,7 +120,7 @@ class MessageLine(Widget):
         data = self.session.data
         return next((f"{n} {self.app.say(title_of(s, data))}: " for n, s in enumerate(STEPS, 1) if s.key == key), "")
 
-    def _ahead(self, states: list[StepState]) -> Text:
+    def _ahead(self, states: Sequence[StepState]) -> Text:
         """The next step that is to do, with the key that leads there now; empty where none is."""
         n = next((n for n, state in enumerate(states, 1) if state.state == "todo"), None)
         if n is None:
