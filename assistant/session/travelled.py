@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What an undo, or a redo, has changed: in words, step by step, and where the first of it stands."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import groupby
 
 from calc.design.addresses import Table, address, step_at
+from calc.design.locks import locks
 from calc.design.model import STEPS, Design
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import dotted
@@ -37,7 +38,8 @@ class Travelled:
 
 def travelled(before: EditState, after: EditState, check_name: CheckName = Name) -> Travelled:
     """From one state to another.  `check_name`: what a check is called that has this id."""
-    changes = inputs(before.data, after.data)
+    changes = [*_locks(before.data, after.data)]
+    changes += [change for change in inputs(before.data, after.data) if change.key.partition(".")[0] != LOCKED]
     if not changes:
         return _typed(before, after)
     changes.sort(key=lambda change: change.key not in ORDER)  # a whole step, before what has gone with it
@@ -53,6 +55,14 @@ def travelled(before: EditState, after: EditState, check_name: CheckName = Name)
         return Travelled(SEMICOLON.join(parts), step, check=rest)
     place = () if top == WITHOUT or first.key in ORDER else _place(first, before.data, after.data)
     return Travelled(SEMICOLON.join(parts), step, place)
+
+
+def _locks(before: Table, after: Table) -> Iterator[InputDifference]:
+    """What is locked, or is not any more; the file need not say what is locked as a rule."""
+    old, new = locks(before), locks(after)
+    for key in dict.fromkeys((*old, *new)):
+        if (key in old) != (key in new):
+            yield InputDifference(f"{LOCKED}.{key}", EMPTY, "", old.get(key), new.get(key))
 
 
 def _typed(before: EditState, after: EditState) -> Travelled:
