@@ -158,6 +158,11 @@ NOTHING = Text(
     "a radial one with any: every number of it can be replaced, and the layout. "
     "Words that find one: inline, parallel, V, boxer, twin, diesel, petrol, own."
 )
+ENTER = {  # what it does with a row, by its kind
+    "open": Text("Enter asks for the file"),
+    "example": Text("Enter opens it"),
+    "file": Text("Enter opens it"),
+}
 SPACES = 3  # cells before a row
 TITLE, ABOUT, SIZE, SHAKES, BALANCING = 20, 31, 17, 38, 20  # cells of the columns; of what it is at least
 
@@ -214,13 +219,21 @@ class Start(Screen[None]):
         with Horizontal(id="start-body"):
             yield BeginningList(id="ways", compact=True)
             yield BeginDetail(self.memory)
-        leaves = Text("ends") if len(self.app.screen_stack) < 2 else Text("goes back")
-        hint = Text(
-            "Enter begins   ↑ ↓ choose   {open} opens a file   Esc {leaves}",
-            open=self.app.shown_key("open"),
-            leaves=leaves,
-        )
-        yield Static(Content.styled(f" {say(hint)}", "dim"), id="start-keys")
+        yield Static(id="start-keys")
+
+    def show_keys(self) -> None:
+        """What Enter does with the row under the cursor, Esc with what is typed, and the other keys."""
+        say, here = self.app.say, self.here
+        typed = self.query_one("#words", Input).value
+        leaves = Text("goes back") if len(self.app.screen_stack) > 1 else Text("ends")
+        hints = [
+            ENTER.get(here.kind, Text("Enter begins")) if here is not None else EMPTY,
+            Text("↑ ↓ choose"),
+            Text("{key} opens a file", key=self.app.shown_key("open")),
+            Text("Esc {leaves}", leaves=Text("takes the words away") if typed else leaves),
+        ]
+        line = " " + "   ".join(say(hint) for hint in hints if hint)
+        self.query_one("#start-keys", Static).update(Content.styled(line, "dim"), layout=False)
 
     def on_mount(self) -> None:
         self.fill()
@@ -302,6 +315,7 @@ class Start(Screen[None]):
         self.ways.highlighted = self._rows.index(before) if stays else first
         if not options:
             self.query_one(BeginDetail).tell(NOTHING)
+        self.show_keys()
 
     def _found(self, words: list[str], rows: list[Beginning]) -> "Iterator[tuple[float, Beginning]]":
         say = self.app.say
@@ -333,6 +347,7 @@ class Start(Screen[None]):
         event.stop()
         if self.here is not None:
             self.query_one(BeginDetail).show(self.here)
+        self.show_keys()
 
     # --- keys
     def on_input_changed(self, event: Input.Changed) -> None:

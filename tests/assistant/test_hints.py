@@ -3,6 +3,7 @@
 
 from pathlib import Path
 
+import pytest
 from textual.pilot import Pilot
 from textual.widgets import Static
 
@@ -67,6 +68,7 @@ async def test_the_message_says_what_leads_to_what_is_to_do(tmp_path: Path) -> N
         await until(pilot, lambda: message(pilot) == "2 Imbalance is to do.")
 
 
+@pytest.mark.slow
 async def test_the_foot_says_what_enter_does_with_a_fold_and_a_choice(screen: Screen, light: Session) -> None:
     async with screen(size=(120, 40)) as pilot:
         form = work(pilot).form
@@ -89,6 +91,7 @@ async def test_the_foot_says_what_enter_does_with_a_fold_and_a_choice(screen: Sc
         await until(pilot, lambda: work(pilot).number == 3)
 
 
+@pytest.mark.slow
 async def test_the_last_row_of_the_pages_says_what_enter_does_with_theirs(screen: Screen, light: Session) -> None:
     async with screen(size=(120, 40)) as pilot:
 

@@ -6,6 +6,7 @@ import importlib
 import pkgutil
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -80,6 +81,12 @@ NAMED = re.compile(
 )
 
 
+@cache
+def trees() -> dict[Path, ast.Module]:
+    """The source of the session, file by file."""
+    return {path: ast.parse(path.read_text(encoding="utf-8")) for path in SOURCE.rglob("*.py")}
+
+
 def texts(tree: ast.AST) -> Iterator[tuple[ast.Call, str]]:
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("Text", "plural"):
@@ -109,9 +116,9 @@ def test_no_text_names_a_key_that_may_be_another_one() -> None:
     """It names it through `shown_key`, as the user's key map has it."""
     wrong = [
         f"{path.relative_to(SOURCE)}:{node.lineno}: {text}"
-        for path in SOURCE.rglob("*.py")
+        for path, tree in trees().items()
         if "commands" not in path.parts
-        for node, text in texts(ast.parse(path.read_text(encoding="utf-8")))
+        for node, text in texts(tree)
         if NAMED.search(text) and text != "+ add"  # which is a button
     ]
     assert wrong == []
@@ -134,10 +141,10 @@ def said_keys(function: ast.AST) -> Iterator[str]:
 def test_a_key_that_is_named_works_while_a_field_has_the_cursor() -> None:
     """Or the text says that the field is to be left first."""
     seen, wrong = set(), []
-    for path in SOURCE.rglob("*.py"):
+    for path, tree in trees().items():
         if path.name in WITHOUT_FIELDS:
             continue
-        for function in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for function in ast.walk(tree):
             if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
                 ids = set(said_keys(function))
                 seen |= ids
@@ -145,10 +152,11 @@ def test_a_key_that_is_named_works_while_a_field_has_the_cursor() -> None:
                     moves = BY_ID[id].letters in MOVING  # in what has the focus itself
                     if not BY_ID[id].keys and not moves and "leave" not in ids:
                         wrong.append(f"{path.name} {function.name}: {id}")
-    assert wrong == [] and {"fix", "accept", "record", "reload", "walk_on", "lock"} - {"lock"} <= seen
+    assert wrong == [] and {"fix", "accept", "record", "reload", "walk_on"} <= seen
 
 
 # --- the user's key map
+@pytest.mark.slow
 async def test_a_key_map_holds_on_every_screen(light: Session) -> None:
     """Through textual's own, by the ids of the table: on the main screen, on those over it, and in what is said."""
     light.solve()
@@ -192,6 +200,7 @@ def test_every_screen_has_the_key_that_saves() -> None:
     assert without == [Ask]
 
 
+@pytest.mark.slow
 async def test_a_design_is_saved_from_every_screen(screen: Screen, light: Session) -> None:
     async with screen(size=(120, 40)) as pilot:
         work(pilot).leave_pane()

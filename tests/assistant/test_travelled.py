@@ -95,10 +95,10 @@ def test_of_many_changes_three_are_named_by_their_steps(session: Session) -> Non
     assert travelled(same, same) == Travelled(travelled(same, same).words) and not travelled(same, same).words
 
 
-@pytest.mark.parametrize("size", [(80, 24)])
-async def test_the_cursor_goes_where_it_was_undone(screen: Screen, light: Session, size: tuple[int, int]) -> None:
+@pytest.mark.slow
+async def test_the_cursor_goes_where_it_was_undone(screen: Screen, light: Session) -> None:
     """From another step and another pane, into a fold, to an element, to a finding; behind a letter keys stay keys."""
-    async with screen(size=size) as pilot:
+    async with screen(size=(80, 24)) as pilot:
         app, bench = pilot.app, work(pilot)
         assert isinstance(app, ContralberoApp)
         folded = next(
