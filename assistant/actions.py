@@ -3,10 +3,17 @@
 
 Bindings, footer, help screen and palette read this table, so they can not disagree.  `keys` act anywhere; `letters` act
 only while no field is being edited, because a field takes them as text, or moves in its text with them.  The first key
-is the one that is shown."""
+is the one that is shown, so what a message may name while a field is edited has one in `keys`.
 
+A key stands here once, and means the same on every screen: whatever binds it takes it from here, with `bound`.  Only
+the keys that move (`MOVING`) do in each place what that place is moved through with.  A user's key map goes by the
+ids."""
+
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
+
+from textual.binding import Binding
 
 from calc.design.model import STEPS
 from calc.locale import Language
@@ -71,13 +78,16 @@ ACTIONS: tuple[Action, ...] = (
                 "inputs. So does Enter.")),
     Action("line", "", "g", EMPTY, Text("Go to the line"), Text("On a check: goes to the line of the calculation that "
                                                                 "gives its value.")),
-    Action("accept", "", "a", EMPTY, Text("Accept a finding"),
+    Action("accept", "shift+f5", "a", EMPTY, Text("Accept a finding"),
            Text("On a finding that is no limit: asks for the reason why it may stay open, which stands in the report; "
                 "once more takes it "
                 "back.")),
+    Action("lock", "ctrl+l", "", EMPTY, Text("Lock an input, or unlock it"),
+           Text("In a field: no remedy and no search may change this input then. In the list of remedies: the input "
+                "that the row changes.")),
     Action("leave_out", "", "minus", EMPTY, Text("Leave the step out"),
            Text("In a step that the design does not have: asks why it does without it, in your words, which stand in "
-                "the report.")),
+                "the report. On the heading of a list or of a part: takes it out.")),
     Action("ready", "", "D", EMPTY, Text("Ready?"),
            Text("Shows the whole drive with its main numbers, what is assumed and accepted, and what is left to do.")),
     Action("not_counted", "", "i", EMPTY, Text("What is not counted"),
@@ -87,7 +97,7 @@ ACTIONS: tuple[Action, ...] = (
                                                                       "design file.")),
     Action("export", "", "E", EMPTY, Text("Export …"),
            Text("Writes a drawing of the shaft or the gears (.dxf), the values (.csv), all results (.json) or the "
-                "report (.pdf).")),
+                "report (.pdf). In the list of remedies: its rows as a table.")),
     Action("curve", "f9", "c", Text("Plot"), Text("Next curve"),
            Text("Shows the next curve of the step; after the curves its tables. In the pane itself Space does so too."),
            call=("turn_curve", 1)),
@@ -114,11 +124,13 @@ ACTIONS: tuple[Action, ...] = (
            Text("On a curve: reads it off at its last point."), call=("read_end", True)),
     Action("variant", "f10", "b", Text("Variant"), Text("Next variant of the curve"),
            Text("Shows the other variant of the curve, in the same scale: without the counter-shaft, and with it; of "
-                "the cycle of a mesh another load. In the pane itself l does so too.")),
+                "the cycle of a mesh another load.")),
     Action("walk_on", "", "full_stop", EMPTY, Text("Cycle at the next speed"),
-           Text("Shows the working cycle of a mesh at the next higher speed, from idle to rated."), call=("walk", 1)),
+           Text("Shows the working cycle of a mesh at the next higher speed, from idle to rated. In the picture's "
+                "pane: the next of its pictures. Among whole drives: the next larger seat."), call=("walk", 1)),
     Action("walk_back", "", "comma", EMPTY, Text("Cycle at the speed before"),
-           Text("Shows the working cycle of a mesh at the next lower speed."), call=("walk", -1)),
+           Text("Shows the working cycle of a mesh at the next lower speed. In the picture's pane: the picture "
+                "before. Among whole drives: smaller seats alone."), call=("walk", -1)),
     Action("crank_on", "", "greater_than_sign", EMPTY, Text("Turn the crank on"),
            Text("Turns the vectors of a curve on by 10°."), call=("crank", 1)),
     Action("crank_back", "", "less_than_sign", EMPTY, Text("Turn the crank back"),
@@ -140,10 +152,10 @@ ACTIONS: tuple[Action, ...] = (
            Text("The start page: begin with an engine, open a design, go on with a recent one. Unsaved edits of this "
                 "one are kept.")),
     Action("open", "ctrl+o", "o", EMPTY, Text("Open …"), Text("Opens another design.")),
-    Action("reload", "", "L", EMPTY, Text("Read the file anew"),
+    Action("reload", "ctrl+r", "L", EMPTY, Text("Read the file anew"),
            Text("Takes what another program has written into the file, or drops all unsaved edits. "
                  "Undo takes it back.")),
-    Action("record", "", "R", EMPTY, Text("Record a replay"),
+    Action("record", "shift+f12", "R", EMPTY, Text("Record a replay"),
            Text("Records every edit from here on; pressed again it writes them as a replay file, with what the design "
                 "came to.")),
     Action("compare", "shift+f7", "equals_sign", EMPTY, Text("Compare with …"),
@@ -171,19 +183,54 @@ ACTIONS: tuple[Action, ...] = (
            Text("Copies the whole line: of the formula with its numbers and source, of the check, or all that is read "
                 "off a curve."),
            call=("copy", "line")),
-    Action("quit", "ctrl+q", "q", Text("Quit"), Text("Quit"),
+    Action("quit", "ctrl+q", "", Text("Quit"), Text("Quit"),
            Text("Ends the program. Unsaved edits are kept and come back with the next start.")),
+    Action("close", "", "q", EMPTY, Text("Close"),
+           Text("Closes what stands over the main screen, as Esc does; there it ends the program."), call=("quit",)),
     *(Action(f"step_{n}", f"alt+{n}", str(n), EMPTY, Text("Step {n}: {title}", n=n, title=step.title),
              Text("Goes to step {n}, {title}.", n=n, title=step.title), call=("to_step", n))
       for n, step in enumerate(STEPS, 1)),
 )  # fmt: skip
 
-BY_ID = {action.id: action for action in ACTIONS}
+# of other screens alone
+ELSEWHERE: tuple[Action, ...] = (
+    Action("add", "", "plus", EMPTY, Text("Add"),
+           Text("On the heading of a list of elements, or of a part that may be left out: adds one, as Enter does "
+                "where there is none.")),
+    Action("sort", "", "s", EMPTY, Text("Sort"), Text("Among whole drives: sorts by the next objective.")),
+    Action("across", "", "X", EMPTY, Text("Other axis across"),
+           Text("Among whole drives: another objective across.")),
+    Action("upright", "", "V", EMPTY, Text("Other axis up"), Text("Among whole drives: another objective up.")),
+)  # fmt: skip
+
+BY_ID = {action.id: action for action in (*ACTIONS, *ELSEWHERE)}
+# in a list, a field, a picture or a text: what they move there, or take, or leave
+MOVING = {"up", "down", "left", "right", "home", "end", "pageup", "pagedown", "tab", "enter", "space", "escape"}
+MOVING |= {"backspace", "delete"}
 OLD_IDS = {"mend": "fix"}  # names that key maps of earlier versions may have
+
+
+def bound(id: str, does: str = "", keys: str = "") -> Binding:
+    """The binding of an action on any screen: `does` is what it runs there, `keys` are those of it that a place has
+    room for."""
+    action = BY_ID[id]
+    return Binding(keys or action.binding, does or action.does, action.title, show=False, id=id, priority=action.first)
+
+
+# actions that open a screen, on which the keys that follow are meant to be struck
+OPENS: tuple[str, ...] = ("help", "fix", "choose", "drive", "accept", "leave_out", "ready", "not_counted", "export")
+OPENS += ("curves", "save_as", "new", "open", "record", "compare", "palette", "explain")
+ANYWHERE = ("quit", "palette", "open")  # actions whose keys come before those of a field, also where one types
+
+
+def anywhere(id: str) -> str:
+    """The binding id of those keys: all that the action has but letters."""
+    return f"{id}_anywhere"
 
 
 KEY_NAMES: dict[str, str] = {
     "question_mark": "?",
+    "plus": "+",
     "left_square_bracket": "[",
     "right_square_bracket": "]",
     "colon": ":",
@@ -218,5 +265,10 @@ def key_name(key: str) -> str:
     return Text("Shift+{key}", key=shown) if "shift" in modifiers else shown
 
 
-def key_names(keys: str, say: Language) -> str:
-    return " ".join(say(key_name(key)) for key in keys.split(",") if key)
+def key_names(keys: Iterable[str], say: Language) -> str:
+    return " ".join(say(key_name(key)) for key in keys)
+
+
+def is_typed(key: str) -> bool:
+    """Whether a key writes a character into a field."""
+    return len(key) == 1 or (key in KEY_NAMES and key not in MOVING)

@@ -7,6 +7,7 @@ import sys
 import time
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
@@ -18,18 +19,19 @@ from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
 from textual.screen import ModalScreen, Screen
 from textual.timer import Timer
+from textual.widgets import Input
 
 from calc.locale import language
 from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
 
-from .actions import BY_ID
+from .actions import ANYWHERE, BY_ID, OPENS, anywhere, is_typed
 from .base_app import BaseApp
 from .output import told
 from .screens.workbench import Workbench
 from .session.recovery import Memory, Settings
 from .session.session import Session
-from .widgets.entry import AT_ONCE, EDITS, Choice, Entry
+from .widgets.entry import AT_ONCE, EDITS, Choice
 from .widgets.item_list import ItemList
 from .widgets.signs import Signs
 
@@ -42,6 +44,7 @@ class Speaking(Protocol):
 
 
 HELD = 3.0  # seconds that keys wait at most
+CALM, CALM_STEP = 2, 0.004  # looks in a row that find nothing going on, and seconds between them
 LOOK = 2.0  # seconds between two looks at the file, whether another program has changed it
 
 
@@ -53,7 +56,7 @@ class ContralberoApp(BaseApp):
     TITLE = "Contralbero"
     ENABLE_COMMAND_PALETTE = False  # there is one of our own
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")
+        Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id=anywhere("quit")),
     ]
 
     def __init__(
@@ -78,8 +81,9 @@ class ContralberoApp(BaseApp):
         self._hold: Timer | None = None  # ends their wait at the latest
 
     def on_mount(self) -> None:
-        if self.key_map:
-            self.set_keymap(self.key_map)
+        # what goes before the field's own keys must not take its letters
+        first = {anywhere(id): ",".join(k for k in self.keys_of(id) if not is_typed(k)) for id in ANYWHERE}
+        self.set_keymap({**self.key_map, **first})
         self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
         self.theme_changed_signal.subscribe(self, self._theme_changed)
         self.set_interval(LOOK, self.look)
@@ -167,6 +171,17 @@ class ContralberoApp(BaseApp):
         session.attend()
         self.look()
 
+    async def action_save(self) -> None:
+        """Save the design that is open, on whatever screen; but where it is asked how."""
+        from .screens.dialogs import Ask
+        from .screens.path_dialogs import TargetDialog
+
+        if isinstance(self.screen, (Ask, TargetDialog)):
+            return
+        work = next((screen for screen in self.screen_stack if isinstance(screen, Workbench)), None)
+        if work is not None and work.stands:
+            await work.run_action(BY_ID["save"].does)
+
     def action_command_palette(self) -> None:
         from .screens.palette import Palette
 
@@ -183,39 +198,55 @@ class ContralberoApp(BaseApp):
         if not isinstance(event, events.Key) or event.is_forwarded:
             await super().on_event(event)
             return
-        self.struck = time.monotonic()
+        self.struck, self.struck_key = time.monotonic(), event.key
         if event.key.startswith("alt+"):
             # a terminal that sends Esc before it writes the digit too, which no field is to take
             event.character = None
         if self._held is not None:
             self._held.append(event)
             return
-        opens = isinstance(self.screen, Workbench) and event.key in (*self._keys("palette"), *self._keys("new"))
-        if (
-            opens
-            or self._leaves_a_field(event)
-            or (event.key in ("enter", "escape") and getattr(self.screen, "HOLDS", False))
-        ):
+        if self._leads_away(event):
             self._held = []
-            self._hold = self.set_timer(HELD, self.release)
+            self._hold = hold = self.set_timer(HELD, self._held_long_enough)
+            await super().on_event(event)
+            if not getattr(self.screen, "HOLDS", False):  # which lets them go itself
+                self.call_after_refresh(self._release_when_calm, hold)
+            return
         await super().on_event(event)
 
-    def _leaves_a_field(self, key: events.Key) -> bool:
-        """Whether an action may lead out of the field that has the focus: what is not typed, and moves not in the
-        text."""
-        inside = isinstance(self.screen, Workbench) and isinstance(self.focused, (Entry, Choice))
-        if not inside or key.is_printable or key.key in EDITS:
+    def _leads_away(self, key: events.Key) -> bool:
+        """Whether what follows a key may be meant for another screen or field than that which has the focus."""
+        if not isinstance(self.screen, Workbench) and key.key in ("enter", "escape"):
+            return True
+        typing = isinstance(self.focused, (Input, Choice))
+        if typing and (key.is_printable or key.key in EDITS):
             return False
-        return any(key.key in self._keys(id) for id in BY_ID if id not in AT_ONCE)
+        inside = typing and isinstance(self.screen, Workbench)
+        ids = [id for id in BY_ID if id not in AT_ONCE] if inside else OPENS
+        return any(key.key in self.keys_of(id) for id in ids)
 
-    def _keys(self, id: str) -> list[str]:
-        """Of an action: those that are no letters, which a field takes as text."""
-        return (self.key_map.get(id) or BY_ID[id].keys).split(",")
+    def _release_when_calm(self, hold: Timer, calm: int = 0) -> None:
+        """Let the keys go that wait for what the one before them does, once nobody has a message left of that."""
+        if hold is not self._hold:
+            return
+        nodes = (self, *self.screen.walk_children(with_self=True))
+        calm = 0 if any(node.message_queue_size for node in nodes) else calm + 1
+        if calm < CALM:
+            self.set_timer(CALM_STEP, partial(self._release_when_calm, hold, calm))
+        else:
+            self.release(hold)
 
-    def release(self) -> None:
-        if self._hold is not None:
-            self._hold.stop()  # or it would end the wait of other keys
-            self.call_later(self._let_go, self._hold)  # behind the keys that have come: they keep their order
+    def _held_long_enough(self) -> None:
+        self.release(self._hold)
+
+    @property
+    def holding(self) -> Timer | None:
+        return self._hold
+
+    def release(self, hold: Timer | None) -> None:
+        if hold is not None and hold is self._hold:
+            hold.stop()  # or it would end the wait of other keys
+            self.call_later(self._let_go, hold)  # behind the keys that have come: they keep their order
 
     async def _let_go(self, hold: Timer) -> None:
         if hold is not self._hold:  # of another wait, which has ended

@@ -17,6 +17,7 @@ from textual.color import Color
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 from textual.screen import Screen
+from textual.timer import Timer
 
 from calc.locale import LANGUAGES, language
 from calc.sheet.text import EMPTY, Text
@@ -94,7 +95,7 @@ class BaseApp(App[int]):
         self.memory = session.memory if session is not None else memory or Memory()
         self.warned_of: Path | None = None  # the file that another program has changed, once the user has been told
         self.writing = EMPTY  # a file that is being written, and how far it is
-        self.struck = 0.0  # when the last key was struck, by `time.monotonic`
+        self.struck, self.struck_key = 0.0, ""  # when the last key was struck, by `time.monotonic`, and which
         self.guiding = settings.guide  # each form begins with what is to be decided in its step
 
     def get_line_filters(self) -> Sequence[LineFilter]:
@@ -130,17 +131,33 @@ class BaseApp(App[int]):
         """Go on in another language."""
         raise NotImplementedError
 
-    def release(self) -> None:
-        """Let the keys go on that came while a chosen command was still to be run."""
+    @property
+    def holding(self) -> Timer | None:
+        """For what the keys wait that come now; none where they wait for nothing."""
+        raise NotImplementedError
+
+    def release(self, hold: Timer | None) -> None:
+        """Let the keys go on that came while a chosen command was still to be run, unless they wait for another one
+        by now."""
         raise NotImplementedError
 
     def begin(self, *, engines: bool = False) -> None:
         """The start page, over the design that is open; at its engines."""
         raise NotImplementedError
 
+    def keys_of(self, id: str) -> list[str]:
+        """The keys of an action, as the table and the user's key map have them: what the map gives to another is that
+        one's."""
+        if id in self.key_map:
+            return self.key_map[id].split(",")
+        taken = {key for keys in self.key_map.values() for key in keys.split(",")}
+        return [key for key in BY_ID[id].binding.split(",") if key not in taken]
+
     def shown_key(self, id: str) -> str:
-        """The first key of an action, as the table and the user's key map have it."""
-        return key_name((self.key_map.get(id) or BY_ID[id].binding).split(",")[0])
+        """The first key of an action; of one that has lost its keys to others the way by the palette."""
+        if keys := self.keys_of(id):
+            return key_name(keys[0])
+        return Text("{palette} “{action}”", palette=self.shown_key("palette"), action=BY_ID[id].title)
 
     def forget(self, *texts: Text) -> None:
         """Take these notifications back if they are still shown."""

@@ -35,6 +35,7 @@ from calc.studies.compare_tables import (
     verdict_table,
 )
 
+from ..actions import BY_ID, bound
 from ..base_app import BaseApp
 from ..session.compare_with import Chosen
 from ..session.session import Session
@@ -260,12 +261,12 @@ class ComparisonList(ItemList):
 # --- the screen
 
 NOW = Text("now")
-KEYS = (
-    (Name("↑↓ jk"), Text("Move")),
-    (Name("←→ hl"), Text("Section")),
-    (Text("Enter"), Text("Go there")),
-    (Name("y Y"), Text("Copy")),
-    (Text("Esc"), Text("Back")),
+KEYS = (  # of actions; else as they are called
+    ("↑↓", Text("Move")),
+    ("←→", Text("Section")),
+    ("go_on", Text("Go there")),
+    ("copy", Text("Copy")),
+    ("leave", Text("Back")),
 )
 
 
@@ -274,15 +275,18 @@ class CompareScreen(Once, Screen[str | None]):
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q", "back", "Back", show=False),
-        Binding("down,j", "move(1)", "Down", show=False),
-        Binding("up,k", "move(-1)", "Up", show=False),
-        Binding("right,l,tab", "section(1)", "Next section", show=False),
-        Binding("left,h,shift+tab", "section(-1)", "Previous section", show=False),
-        *(Binding(str(n), f"to_section('{name}')", name, show=False) for n, name in enumerate(SECTIONS, 1)),
-        Binding("enter", "go", "Go there", show=False),
-        Binding("y", "copy('value')", "Copy", show=False),
-        Binding("Y", "copy('line')", "Copy the line", show=False),
+        bound("leave", "back"),
+        bound("save", "app.save"),
+        bound("close", "back"),
+        bound("down", "move(1)"),
+        bound("up", "move(-1)"),
+        bound("pane", "section(1)"),
+        bound("pane_back", "section(-1)"),
+        Binding("right,tab", "section(1)", "Next section", show=False),
+        Binding("left,shift+tab", "section(-1)", "Previous section", show=False),
+        bound("go_on", "go"),
+        bound("copy", "copy('value')"),
+        bound("copy_line", "copy('line')"),
     ]
 
     @dataclass
@@ -307,7 +311,7 @@ class CompareScreen(Once, Screen[str | None]):
         yield Static(id="compare-here")
         keys = [
             Content.assemble((self.app.say(key), "bold $footer-key-foreground"), " ", self.app.say(word))
-            for key, word in KEYS
+            for key, word in ((self.app.shown_key(id) if id in BY_ID else id, word) for id, word in KEYS)
         ]
         yield Static(Content(" ") + Content("  ").join(keys), id="compare-keys")
 
@@ -356,9 +360,9 @@ class CompareScreen(Once, Screen[str | None]):
         shown = self.query_one(ComparisonList)
         mark = self.app.signs.mark("cursor")
         parts = []
-        for n, name in enumerate(SECTIONS, 1):
+        for name in SECTIONS:
             here = name == shown.section and bool(self.counts)
-            text = f"{mark if here else ' '}{n} {self.app.say(SECTIONS[name])} {self.counts.get(name, '')}"
+            text = f"{mark if here else ' '}{self.app.say(SECTIONS[name])} {self.counts.get(name, '')}"
             part = Content.styled(text.rstrip(), "bold" if here else "not bold dim")
             parts.append(part.stylize(Style.from_meta({"@click": f"screen.to_section('{name}')"})))
         self.query_one("#compare-sections", Static).update(Content("  ").join(parts), layout=False)

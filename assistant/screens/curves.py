@@ -20,8 +20,10 @@ from calc.locale import Language
 from calc.sheet.step import Curve, Table
 from calc.sheet.text import COMMA, Text, plural
 
+from ..actions import bound
 from ..base_app import BaseApp
 from ..output import bare
+from ..widgets.entry import Line
 from ..widgets.text import wrap
 from .dialogs import Once
 
@@ -129,11 +131,12 @@ class CurveList(Once, ModalScreen[str | None]):
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "cancel", "Back", show=False),
+        bound("leave", "cancel"),
         Binding("down", "move(1)", "Down", show=False),
         Binding("up", "move(-1)", "Up", show=False),
         Binding("pagedown", "page(1)", "A screenful down", show=False),
         Binding("pageup", "page(-1)", "A screenful up", show=False),
+        bound("save", "app.save"),
     ]
 
     def __init__(self, step: str, leaves: tuple[Curve | Table, ...], current: str) -> None:
@@ -148,7 +151,7 @@ class CurveList(Once, ModalScreen[str | None]):
         listed = COMMA.join((plural("{n} curve", "{n} curves", n=curves), plural("{n} table", "{n} tables", n=tables)))
         with Vertical(classes="dialog"):
             yield Static(Content.styled(f"{self.step}: {say(listed)}", "bold"))
-            yield Input(placeholder=say(Text("words of the title")), compact=True, id="words")
+            yield Line(placeholder=say(Text("words of the title")), compact=True, id="words")
             yield OptionList(id="leaves", compact=True)
             yield Static(Content.styled(say(Text("Enter shows it, ↑ ↓ choose, Esc goes back")), "dim"))
 

@@ -21,7 +21,9 @@ from calc.sheet.check import Check
 from calc.sheet.text import EMPTY, Amount, Text, plural
 from calc.studies.ready import OF_PROGRAM
 
+from ..actions import bound
 from ..base_app import BaseApp
+from ..widgets.entry import Line
 
 # --- closing a dialog once
 # Enter that repeats, or comes twice before the first is dealt with, must not close what is behind it.
@@ -47,7 +49,7 @@ class Once(Below):
 class Choose(Once, ModalScreen[str | None]):
     """Gives the word, an empty one for "let the program choose", None when nothing was chosen."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Back", show=False)]
+    BINDINGS: ClassVar[list[BindingType]] = [bound("leave", "cancel"), bound("save", "app.save")]
 
     def __init__(
         self,
@@ -136,7 +138,8 @@ class Reason(Once, ModalScreen[str | None]):
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "cancel", "Cancel", show=False),
+        bound("leave", "cancel"),
+        bound("save", "app.save"),
         Binding("enter", "take", "Take the reason", show=False, priority=True),
         Binding("down", "list(1)", "To the usual reasons", show=False, priority=True),
         Binding("up", "list(-1)", "Back to the reason", show=False, priority=True),
@@ -151,7 +154,7 @@ class Reason(Once, ModalScreen[str | None]):
         with Vertical(classes="dialog"):
             yield Static(Content.styled(say(self.question), "bold"))
             yield Static(Content(self.about))
-            yield Input(compact=True, select_on_focus=False, id="words")
+            yield Line(compact=True, select_on_focus=False, id="words")
             if self.usual:
                 yield OptionList(*(Content(say(reason)) for reason in self.usual), compact=True, id="names")
             yield Static("", classes="wrong")
@@ -240,12 +243,10 @@ class LeaveOut(Reason):
 
 
 class Ask(Once, ModalScreen[bool]):
-    """`y` or Enter gives True, `n` or Esc False."""
+    """Enter gives True, Esc False."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("y,enter", "answer(True)", "Yes", show=False),
-        Binding("n,escape", "answer(False)", "No", show=False),
-    ]
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [bound("go_on", "answer(True)"), bound("leave", "answer(False)")]
 
     def __init__(self, question: str, yes: str, no: str) -> None:
         super().__init__()
@@ -255,7 +256,8 @@ class Ask(Once, ModalScreen[bool]):
         with Vertical(classes="dialog"):
             yield Static(Content(self.question))
             yield Static("")
-            yield Static(Content.assemble(("y", "bold"), f" {self.yes}    ", ("n", "bold"), f" {self.no}"))
+            yes, no = (self.app.say(self.app.shown_key(id)) for id in ("go_on", "leave"))
+            yield Static(Content.assemble((yes, "bold"), f" {self.yes}    ", (no, "bold"), f" {self.no}"))
 
     def action_answer(self, answer: bool) -> None:
         self.dismiss(answer)

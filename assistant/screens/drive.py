@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.containers import Vertical
 from textual.content import Content
 from textual.widget import Widget
@@ -20,7 +20,7 @@ from calc.sheet.errors import NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.remedy import Changes
 from calc.sheet.step import Table
-from calc.sheet.text import SEMICOLON, Name, Text
+from calc.sheet.text import EMPTY, SEMICOLON, Name, Text
 from calc.studies.drive.classes import NotClosed
 from calc.studies.drive.evolve import EVALUATIONS, evolved
 from calc.studies.drive.output import UNIT, label, said, stood, table
@@ -29,6 +29,7 @@ from calc.studies.drive.search import FrontTable as Known
 from calc.studies.drive.search import asked, search
 from calc.studies.drive.solved_drive import mass, power
 
+from ..actions import bound
 from ..base_app import BaseApp
 from ..offers import Offer
 from ..session.compare_with import Chosen
@@ -122,9 +123,8 @@ SHARE = 0.85  # of the progress, until all classes are done
 PROCESSES = 2
 TALL = 30  # rows of a screen with room for points and table
 HINT = Text(
-    "Enter takes the drive (undo takes it back) · x y axes · s sort · v points · = compares · < > largest seat · i "
-    "what is searched · "
-    "Esc back"
+    "Enter takes the drive (undo takes it back) · {across} {upright} axes · {sort} sort · {view} points · {compare} "
+    "compares · {walk_back} {walk_on} largest seat · {help} what is searched · Esc back"
 )
 STOPS = Text("Esc keeps the front so far")
 
@@ -134,14 +134,14 @@ class Driving(Choosing):
 
     BEHIND = STOPS
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("x", "axis(0)", "Another objective across", show=False),
-        Binding("y", "axis(1)", "Another objective up", show=False),
-        Binding("s", "sort", "Sort by the next objective", show=False),
-        Binding("less_than_sign", "narrow(-1)", "Only smaller seats", show=False),
-        Binding("greater_than_sign", "narrow(1)", "Larger seats again", show=False),
-        Binding("i", "about", "What is searched", show=False),
-        Binding("v", "view", "Points or table", show=False),
-        Binding("equals_sign", "compare", "Compare with the design", show=False),
+        bound("across", "axis(0)"),
+        bound("upright", "axis(1)"),
+        bound("sort", "sort"),
+        bound("walk_back", "narrow(-1)"),
+        bound("walk_on", "narrow(1)"),
+        bound("help", "about"),
+        bound("view", "view"),
+        bound("compare", "compare"),
     ]
 
     def __init__(self, session: Session) -> None:
@@ -161,7 +161,9 @@ class Driving(Choosing):
             yield Scatter()
             yield OfferList()
             yield Static(id="choosing-preview")
-            yield Static(Content.styled(self.app.say(HINT), "dim"))
+            names = ("across", "upright", "sort", "view", "compare", "walk_back", "walk_on", "help")
+            hint = Text(HINT.template, **{id: self.app.shown_key(id) for id in names})
+            yield Static(Content.styled(self.app.say(hint), "dim"))
 
     def on_resize(self) -> None:
         """Points and table below each other where there is room for both, else one of them."""
@@ -219,7 +221,7 @@ class Driving(Choosing):
             table=lambda top: Table(whole.id, whole.title, whole.columns, tuple(rows[:top]), whole.note),
             keys=self._changes,
             said=lambda n: Text("drive {n}", n=n),
-            hint=HINT,
+            hint=EMPTY,
             summary=self._summary(),
         )
 

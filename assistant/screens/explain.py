@@ -20,6 +20,7 @@ from calc.sheet.text import Amount, Text, plural
 from calc.sheet.value import Line
 from calc.studies.explain import Chains, Link, origin
 
+from ..actions import bound
 from ..base_app import BaseApp
 from ..session.calculation import SheetEntry
 from ..session.session import Session
@@ -102,13 +103,16 @@ class Explain(Once, ModalScreen[str | None]):
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q", "leave", "Close", show=False),
-        Binding("backspace,left,h", "before", "Back", show=False),
-        Binding("enter,right,l", "follow", "Walk on", show=False),
-        Binding("down,j", "move(1)", "Down", show=False),
-        Binding("up,k", "move(-1)", "Up", show=False),
-        Binding("y", "copy('value')", "Copy the value", show=False),
-        Binding("Y", "copy('line')", "Copy the line", show=False),
+        bound("leave", "leave"),
+        bound("save", "app.save"),
+        bound("close", "leave"),
+        Binding("backspace,left", "before", "Back", show=False),
+        Binding("right", "follow", "Walk on", show=False),
+        bound("go_on", "follow"),
+        bound("down", "move(1)"),
+        bound("up", "move(-1)"),
+        bound("copy", "copy('value')"),
+        bound("copy_line", "copy('line')"),
     ]
 
     def __init__(

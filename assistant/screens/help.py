@@ -5,7 +5,7 @@ all keys."""
 from typing import ClassVar
 
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.containers import Vertical, VerticalScroll
 from textual.content import Content
 from textual.screen import ModalScreen
@@ -16,7 +16,7 @@ from calc.design.toml_file import REMARKS
 from calc.sheet.expression import plain, symbol
 from calc.sheet.text import COMMA, Amount, Text
 
-from ..actions import ACTIONS, BY_ID, key_names
+from ..actions import ACTIONS, BY_ID, ELSEWHERE, bound, is_typed, key_names
 from ..base_app import BaseApp
 from ..session.guide import GUIDES, title_of
 from ..session.places import Place, label_of
@@ -86,8 +86,9 @@ class HelpScreen(Once, ModalScreen[None]):
     app: BaseApp
     AUTO_FOCUS = ""
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q,enter", "dismiss_help", "Close", show=False),
-        Binding("f1,question_mark", "turn", "All keys", show=False),
+        *(bound(id, "dismiss_help") for id in ("leave", "close", "go_on")),
+        bound("help", "turn"),
+        bound("save", "app.save"),
     ]
 
     def __init__(self, work: WorkbenchPanes) -> None:
@@ -116,9 +117,9 @@ class HelpScreen(Once, ModalScreen[None]):
         for id, shown in (("#help-text", not all), ("#help-wanted", not all), ("#help-all", all)):
             self.query_one(id).display = shown
         foot = (
-            Text("↑ ↓ scroll   F1 goes back to the page before   Esc closes")
+            Text("↑ ↓ scroll   {key} goes back to the page before   Esc closes", key=self.app.shown_key("help"))
             if all
-            else Text("F1 once more: all keys   ↑ ↓ scroll   Esc closes")
+            else Text("{key} once more: all keys   ↑ ↓ scroll   Esc closes", key=self.app.shown_key("help"))
         )
         self.query_one("#help-foot", Static).update(Content.styled(self.app.say(foot), "dim"))
         # now, and not after the keys that are waiting
@@ -208,7 +209,7 @@ class HelpScreen(Once, ModalScreen[None]):
             Content.assemble((self.app.say(about.label), "bold"), (f"   {key}", "dim")),
             *([Content(self.app.say(about.help))] if about.help else []),
         ]
-        lines.append(Content(self.app.say(heading.HELP)))
+        lines.append(Content(self.app.say(heading.does())))
         if heading.reason:
             lines.append(
                 Content.styled(
@@ -288,31 +289,20 @@ class HelpScreen(Once, ModalScreen[None]):
                 f"{say(Text('anywhere')):<16}{say(Text('no field')):<{INDENT - 16}}{say(Text('does'))}", "dim"
             ),
         ]
-        for action in ACTIONS:
-            mapped = self.app.key_map.get(action.id)
-            keys, letters = (
-                (key_names(mapped, say), "")
-                if mapped
-                else (key_names(action.keys, say), key_names(action.letters, say))
-            )
+        for action in (*ACTIONS, *ELSEWHERE):
+            known = self.app.keys_of(action.id)
+            typed = [key for key in known if is_typed(key) or key in action.letters.split(",")]
+            keys = key_names([key for key in known if key not in typed], say)
+            letters = key_names(typed, say)
             lines.append(self.described(keys, letters, Text("{title}. {help}", title=action.title, help=action.help)))
         lines.append(self.described("Tab Shift+Tab", "", Text("Next, previous field or pane.")))
         lines.append(
             self.described(
                 "← →",
                 "",
-                Text(
-                    "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty "
-                    "list; − takes it out."
-                ),
+                Text("On the heading of a list of elements: leaf through them."),
             )
         )
-        lines.append(
-            self.described(
-                "+ −", "", Text("On the heading of a part that may be left out: adds it, as Enter does; takes it out.")
-            )
-        )
-        lines.append(self.described(", .", "", Text("In the picture's pane: another of its pictures comes first.")))
         return Content("\n").join(lines)
 
     def action_dismiss_help(self) -> None:

@@ -26,9 +26,10 @@ from calc.sheet.step import Curve
 from calc.sheet.text import Text
 from calc.studies.shipped import engines
 
-from ..actions import ACTIONS, key_name
+from ..actions import ACTIONS, bound, key_names
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NAME, NOTE
+from ..widgets.entry import Line
 from ..widgets.text import fit, folded, match
 from .explain import Explain
 from .path_dialogs import begin_with
@@ -38,7 +39,7 @@ from .workbench import Workbench
 # Actions, steps, fields, checks, values, curves, engines to begin with, designs, colours and languages.
 
 Does = Callable[[], Awaitable[object] | object]
-HIDDEN = {"palette", "up", "down", "go_on", "leave", "more", "less"}  # of no use from a list
+HIDDEN = {"palette", "up", "down", "go_on", "leave", "close", "more", "less"}  # of no use from a list
 HIDDEN |= {action.id for action in ACTIONS if action.id.startswith("read")}
 ACTION, FIELD, PLACE, OTHER = 1.0, 0.9, 0.8, 0.7  # what counts more where words find both
 FOLDED = 0.8  # of a field that lies in a fold: what decides is found before it
@@ -85,9 +86,7 @@ Add = Callable[..., None]
 def _actions(work: Workbench, add: Add) -> None:
     for action in ACTIONS:
         if action.id not in HIDDEN:
-            keys = " ".join(
-                map(work.app.say, map(key_name, (work.app.key_map.get(action.id) or action.binding).split(",")[:2]))
-            )
+            keys = key_names(work.app.keys_of(action.id)[:2], work.app.say)
             does = partial(work.run_action, action.does)
             add(
                 action.title,
@@ -199,10 +198,7 @@ def _program(app: BaseApp, open: bool, add: Add) -> None:
 
 async def to_check(work: Workbench, check: Check) -> None:
     step = next(step for step in STEPS if step.key == check.id.partition(".")[0])
-    work.at_pane("checks")
-    await work.open_step(step, stay=True)
-    work.checks.focus()
-    work.call_after_refresh(work.checks.go_to, check.id)
+    await work.to_check(step, check.id)
 
 
 def explain(work: Workbench, id: str) -> None:
@@ -238,6 +234,7 @@ class Palette(ModalScreen[None]):
         Binding("up", "move(-1)", "Up", show=False, priority=True),
         Binding("pagedown", "move(10)", "A screenful down", show=False, priority=True),
         Binding("pageup", "move(-10)", "A screenful up", show=False, priority=True),
+        bound("save", "app.save"),
     ]
 
     def __init__(self) -> None:
@@ -252,7 +249,7 @@ class Palette(ModalScreen[None]):
         work = next((screen for screen in self.app.screen_stack if isinstance(screen, Workbench)), None)
         self._entries = entries(self.app, work)
         with Vertical(classes="dialog", id="palette"):
-            yield Input(
+            yield Line(
                 placeholder=self.app.say(Text("what to do, or where to go: words in any order")),
                 compact=True,
                 id="words",
@@ -262,7 +259,7 @@ class Palette(ModalScreen[None]):
 
     def on_mount(self) -> None:
         self.fill()
-        self.call_after_refresh(self.app.release)
+        self.call_after_refresh(self.app.release, self.app.holding)
 
     def on_resize(self) -> None:
         self.call_after_refresh(self.fill)
@@ -326,7 +323,7 @@ class Palette(ModalScreen[None]):
             self.fill()
         at = self.query_one(PaletteHit).highlighted
         if at is None:
-            self.app.release()
+            self.app.release(self.app.holding)
         else:
             self._end(self.rows[at])
 
@@ -339,7 +336,7 @@ class Palette(ModalScreen[None]):
         if self._ending:
             return
         self._ending = True
-        app = self.app
+        app, hold = self.app, self.app.holding
 
         async def run() -> None:
             try:
@@ -348,7 +345,7 @@ class Palette(ModalScreen[None]):
                     if isawaitable(result):
                         await result
             finally:
-                app.call_after_refresh(app.call_after_refresh, app.release)  # the focus is where it leads
+                app.call_after_refresh(app.call_after_refresh, app.release, hold)  # the focus is where it leads
 
         self.dismiss()
         app.call_later(run)

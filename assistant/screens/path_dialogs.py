@@ -13,18 +13,21 @@ from textual.containers import Vertical
 from textual.content import Content
 from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
+from textual.widgets.input import Selection
 from textual.widgets.option_list import Option
 
 from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import designs, shipped_name
 
+from ..actions import bound
 from ..base_app import BaseApp
 from ..session.beginnings import engine_only, own_file
 from ..session.compare_with import Chosen, Other, kept, of_file, of_session, past
 from ..session.recovery import Memory
 from ..session.saving import free_name
 from ..session.session import Session
+from ..widgets.entry import Line
 from .dialogs import Once
 
 Found = TypeVar("Found")
@@ -43,9 +46,10 @@ class PathDialog(Once, ModalScreen[Found]):
     HINT = EMPTY
     ENDINGS: tuple[str, ...] = (".toml",)  # of the files that are listed
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "cancel", "Cancel", show=False),
-        Binding("down", "list(1)", "To the list", show=False),
-        Binding("up", "list(-1)", "Back from the list", show=False),
+        bound("leave", "cancel"),
+        bound("save", "app.save"),
+        Binding("down", "list(1)", "To the list", show=False, priority=True),
+        Binding("up", "list(-1)", "Back from the list", show=False, priority=True),
     ]
 
     def __init__(self, start: str, folder: Path) -> None:
@@ -57,14 +61,20 @@ class PathDialog(Once, ModalScreen[Found]):
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog"):
             yield Static(Content.styled(self.app.say(self.TITLE_TEXT), "bold"))
-            yield Input(self.start, compact=True, select_on_focus=False, id="path")
+            if not self.start.startswith(str(self.folder)):
+                yield Static(Content.styled(self.cut(str(self.folder)), "dim"), id="folder")
+            yield Line(self.start, compact=True, select_on_focus=False, id="path")
             yield OptionList(id="names", compact=True)
             yield Static("", id="wrong", classes="wrong")
             yield Static(Content.styled(self.app.say(self.HINT), "dim"))
 
     def on_mount(self) -> None:
-        self.query_one("#path", Input).cursor_position = len(self.start)
+        self.query_one("#path", Input).selection = self.selected()
         self.fill()
+
+    def selected(self) -> Selection:
+        """What the first key replaces."""
+        return Selection.cursor(len(self.start))
 
     def text(self) -> str:
         return self.query_one("#path", Input).value.strip()
@@ -91,6 +101,8 @@ class PathDialog(Once, ModalScreen[Found]):
         try:
             path = self.path()
             folder, begin = (path, "") if not text or text.endswith(("/", "\\")) else (path.parent, path.name.lower())
+            for ending in self.ENDINGS:
+                begin = begin.removesuffix(ending)
             for item in sorted(folder.iterdir(), key=lambda p: (p.is_dir(), p.name.lower())):
                 if item.name.startswith(".") or not item.name.lower().startswith(begin):
                     continue
@@ -156,8 +168,12 @@ class PathDialog(Once, ModalScreen[Found]):
         if not self.is_mounted:  # a key that came before there is a list
             return
         options = self.query_one("#names", OptionList)
-        if by > 0 and options.display and self.focused is not options:
-            options.focus()
+        if self.focused is options and by < 0 and options.highlighted in (0, None):
+            self.set_focus(self.query_one("#path", Input))
+        elif self.focused is options:
+            options.action_cursor_down() if by > 0 else options.action_cursor_up()
+        elif by > 0 and options.display:
+            self.set_focus(options)  # before the next key
             options.action_first()
 
     def action_cancel(self) -> None:
@@ -175,9 +191,11 @@ class CompareWith(Once, ModalScreen[Chosen | None]):
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q", "cancel", "Back", show=False),
-        Binding("j", "move(1)", "Down", show=False),
-        Binding("k", "move(-1)", "Up", show=False),
+        bound("leave", "cancel"),
+        bound("save", "app.save"),
+        bound("close", "cancel"),
+        bound("down", "move(1)"),
+        bound("up", "move(-1)"),
     ]
 
     def __init__(self, session: Session) -> None:
@@ -283,17 +301,30 @@ def errors_text(bad: BadInput, place: str) -> Text:
 
 
 class TargetDialog(PathDialog[Path | None]):
-    """Gives the path of a file to write.  `own`: a file that may be overwritten without asking."""
+    """Gives the path of a file to write: what is typed takes the place of its name, folder and ending stay; a path
+    leads elsewhere, and an ending that is typed goes before.  `own`: a file that may be overwritten without asking."""
 
     def __init__(self, start: Path, own: Path | None = None) -> None:
-        super().__init__(str(start), start.parent)
+        super().__init__(start.name, start.parent)
         self.own = own
         self._asked: Path | None = None
 
+    def selected(self) -> Selection:
+        return Selection(0, len(Path(self.start).stem))
+
+    @property
+    def named(self) -> bool:
+        """Whether there is a name, and not only an ending."""
+        return self.text() not in ("", *self.ENDINGS)
+
     def take(self, path: Path) -> None:
+        if Path(path.stem).suffix.lower() in self.ENDINGS:
+            path = path.with_name(path.stem)  # the ending that was typed, before that which stood there
         if not path.suffix and not path.is_dir():
             path = path.with_suffix(self.ENDINGS[0])
-        if path.is_dir():
+        if not self.named:
+            self.say(Text("Give it a name."))
+        elif path.is_dir():
             self.say(Text("This is a folder; give a file name in it."))
         elif not path.parent.is_dir():
             self.say(Text("The folder {folder} does not exist.", folder=str(path.parent)))
@@ -336,7 +367,7 @@ class RecordDialog(TargetDialog):
         self.session = session
 
     def take(self, path: Path) -> None:
-        if not self.text():
+        if not self.named:
             self.session.recording = None
             self.dismiss(None)
         else:

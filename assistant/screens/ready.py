@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import ClassVar
 
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.content import Content
 from textual.screen import Screen
 from textual.widgets import Static
@@ -18,13 +18,13 @@ from calc.design.model import STEPS
 from calc.design.unusual import unusual
 from calc.engine import sketch as engine
 from calc.sheet.check import Check
-from calc.sheet.text import COMMA, SEMICOLON, Amount, Name, Text, plural
+from calc.sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of
 from calc.studies.described import not_counted
 from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
 from calc.studies.ready import OF_PROGRAM, SOLVED, StepState
 
-from ..actions import BY_ID
+from ..actions import bound
 from ..base_app import BaseApp
 from ..session.guide import title_of
 from ..session.places import label_of
@@ -37,8 +37,15 @@ from .dialogs import Once
 from .workbench_panes import WorkbenchPanes
 
 # actions that the page gives beside a step's key and a check's id
-REPORT, EXPORT, DRIVE, PALETTE = "report", "export", "drive", "palette"
-SAVE = BY_ID["save"]
+KEYS = (
+    ("report", Text("PDF")),
+    ("export", Text("export")),
+    ("save", Text("save")),
+    ("drive", Text("drives")),
+    ("not_counted", Text("not counted")),
+    ("leave", Text("back")),
+)
+GIVEN = ("report", "export", "drive", "palette", "undo", "redo", "quit")
 PICTURE = (90, 14)  # cells of the picture at most
 ASSUMED, NOT_COUNTED = "assumed", "not_counted"  # what is folded
 
@@ -50,6 +57,13 @@ class Closing(ItemList):
         super().__init__(id="closing")
         self.session = session
         self.unfolded: set[str] = set()
+
+    @property
+    def enter(self) -> Text:
+        """What Enter does with the row under the cursor; empty where there is none."""
+        if self.key in (ASSUMED, NOT_COUNTED):
+            return Text("folds it") if self.key in self.unfolded else Text("unfolds")
+        return EMPTY if not self.key else Text("goes there") if "." in self.key else Text("opens it")
 
     def choose(self, clicked: bool = False) -> None:
         if self.key in (ASSUMED, NOT_COUNTED):
@@ -234,7 +248,7 @@ def _bulleted(text: str, width: int) -> Iterator[tuple[str, str]]:
 
 
 def _whom(reason: str) -> Text:
-    return Text("the program, until you say so (- in the step)") if reason in OF_PROGRAM else Text("you")
+    return Text("the program, until you say so in the step") if reason in OF_PROGRAM else Text("you")
 
 
 def _title(step: str) -> Text:
@@ -259,16 +273,13 @@ class ReadyScreen(Once, Screen[str | None]):
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q", "give('')", "Close", show=False),
-        Binding("f8,p", f"give('{REPORT}')", "Report", show=False),
-        Binding("e", f"give('{EXPORT}')", "Export", show=False),
-        Binding("t", f"give('{DRIVE}')", "Whole drive", show=False),
-        Binding("ctrl+p,colon", f"give('{PALETTE}')", "Palette", show=False, id=PALETTE),
-        Binding(SAVE.binding, "save", "Save", show=False, id=SAVE.id),
-        Binding("i", f"unfold('{NOT_COUNTED}')", "What is not counted", show=False),
-        Binding("enter", "choose", "Go there", show=False),
-        Binding("down,j", "move(1)", "Down", show=False),
-        Binding("up,k", "move(-1)", "Up", show=False),
+        *(bound(id, "give('')") for id in ("leave", "close")),
+        *(bound(id, f"give('{id}')") for id in GIVEN),
+        bound("save", "app.save"),
+        bound("not_counted", f"unfold('{NOT_COUNTED}')"),
+        bound("go_on", "choose"),
+        bound("down", "move(1)"),
+        bound("up", "move(-1)"),
     ]
 
     def __init__(self, work: WorkbenchPanes, unfolded: str = "") -> None:
@@ -278,12 +289,20 @@ class ReadyScreen(Once, Screen[str | None]):
     def compose(self) -> ComposeResult:
         yield Static(id="ready-title")
         yield Closing(self.session)
-        keys = Text(
-            "{report} PDF · e export · {save} save · t drives · i not counted · Enter goes · Esc back",
-            report=self.app.shown_key(REPORT),
-            save=self.app.shown_key(SAVE.id),
-        )
-        yield Static(Content.styled(f" {self.app.say(keys)}", "dim"), id="ready-keys")
+        yield Static(id="ready-keys")
+
+    def show_keys(self) -> None:
+        """The last row: what Enter does with the row under the cursor, and the other keys."""
+        say, enter = self.app.say, self.query_one(Closing).enter
+        parts = [f"{say(self.app.shown_key(id))} {say(word)}" for id, word in KEYS]
+        parts = [f"{say(self.app.shown_key('go_on'))} {say(enter)}", *parts] if enter else parts
+        while len(" · ".join(parts)) > self.size.width - 2 and len(parts) > 2:
+            del parts[-2]  # the last leads back
+        self.query_one("#ready-keys", Static).update(Content.styled(" " + " · ".join(parts), "dim"), layout=False)
+
+    def on_item_list_moved(self, event: ItemList.Moved) -> None:
+        event.stop()
+        self.show_keys()
 
     def on_mount(self) -> None:
         self.query_one(Closing).focus()
@@ -291,6 +310,10 @@ class ReadyScreen(Once, Screen[str | None]):
             self.call_after_refresh(self.action_unfold, self.unfolded)
 
     def on_resize(self) -> None:
+        self.show_title()
+        self.show_keys()
+
+    def show_title(self) -> None:
         """The design and its verdict at both ends of the first row."""
         say, signs, name = self.app.say, self.app.signs, self.session.design.name
         title = f" {say(Text('Ready'))}: {name}" if whole_of(self.session).ready else f" {name}"
@@ -308,9 +331,6 @@ class ReadyScreen(Once, Screen[str | None]):
 
     def action_give(self, what: str) -> None:
         self.dismiss(what or None)
-
-    async def action_save(self) -> None:
-        await self.work.run_action(SAVE.does)
 
     def action_choose(self) -> None:
         self.query_one(Closing).choose()

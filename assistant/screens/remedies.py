@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.containers import Vertical
 from textual.content import Content
 from textual.widgets import Static
@@ -21,6 +21,7 @@ from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
 from calc.studies.repair.options import ALL_CORNERS, AS_GIVEN, NEAR, RepairOption, ranked, search
 
+from ..actions import bound
 from ..session.saving import SaveError, free_name, write_atomic
 from ..session.session import Session
 from ..widgets.item_list import Item, ItemList
@@ -69,7 +70,8 @@ class RemedyList(ItemList):
         )
 
     def result(self, way: RepairOption) -> Text:
-        return Text("locked: {reason} (k unlocks)", reason=way.locked) if way.locked else way.effect
+        unlocks = self.app.shown_key("lock")
+        return Text("locked: {reason} ({key} unlocks)", reason=way.locked, key=unlocks) if way.locked else way.effect
 
     def _columns(self, number: int, way: RepairOption, width: int) -> list[Content]:
         say, signs = self.app.say, self.app.signs
@@ -111,7 +113,7 @@ class RemedyList(ItemList):
 
 SECONDS = 6.0  # after which no further kind is begun
 NARROW = 100  # cells below which the list has the whole screen
-HINT = Text("Enter or the number of a row applies it · k locks the input · w writes a table · Esc")
+HINT = Text("{lock} locks its input · {export} writes a table · Esc goes back")
 
 
 def table(ways: tuple[RepairOption, ...], say: Language) -> str:
@@ -158,11 +160,11 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
 
     STATE, BAR = "remedies-state", 24
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("enter", "take(0)", "Apply", show=False),
-        *(Binding(str(n), f"take({n})", "Apply", show=False) for n in range(1, 6)),
-        Binding("k", "lock", "Lock the input", show=False),
-        Binding("w", "write", "Write a table", show=False),
-        Binding("y,Y", "copy", "Copy the row", show=False),
+        bound("go_on", "take"),
+        bound("lock", "lock"),
+        bound("export", "write"),
+        bound("copy", "copy"),
+        bound("copy_line", "copy"),
     ]
 
     def __init__(self, session: Session, finding: Check | str) -> None:
@@ -177,7 +179,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             yield RemedyList()
             yield Static(id="remedies-state")
             yield Static(id="remedies-preview")
-            yield Static(Content.styled(self.app.say(HINT), "dim"))
+            yield Static(id="remedies-hint")
 
     def on_mount(self) -> None:
         self.query_one("#remedies-title", Static).update(self._title())
@@ -242,7 +244,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
     def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
         event.stop()
         if event.clicked:
-            self.action_take(0)
+            self.action_take()
 
     def _preview(self) -> None:
         """What it does to every step."""
@@ -255,16 +257,36 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             fails = Text("then fails: {checks}", checks=Text(", ").join(way.breaks))
             lines += [Content.styled(row, "dim") for row in wrap(say(fails), self.room, 2)[:2]]
         self.query_one("#remedies-preview", Static).update(Content("\n").join(lines))
+        self.query_one("#remedies-hint", Static).update(Content.styled(say(self._hint()), "dim"))
+
+    def _hint(self) -> Text:
+        """What Enter does with the row, and the other keys."""
+        keys, way = Text(HINT.template, lock=self.app.shown_key("lock"), export=self.app.shown_key("export")), self.way
+        if way is None:
+            return Text("Esc goes back")
+        if way.locked:
+            return keys
+        return (
+            Text("Enter applies it · {keys}", keys=keys)
+            if way.changes
+            else Text("Enter goes there · {keys}", keys=keys)
+        )
 
     # --- what the keys do
-    def action_take(self, number: int) -> None:
-        """The row of a number; 0: that under the cursor."""
-        way = self.way if number == 0 else self.ways[number - 1] if number <= len(self.ways) else None
+    def action_take(self) -> None:
+        """The row under the cursor."""
+        way = self.way
         if way is None:
             return
         if way.locked:
             self.app.tell(
-                Text("{kind} is locked: {reason}. k unlocks it.", kind=way.kind, reason=way.locked), "warning"
+                Text(
+                    "{kind} is locked: {reason}. {key} unlocks it.",
+                    kind=way.kind,
+                    reason=way.locked,
+                    key=self.app.shown_key("lock"),
+                ),
+                "warning",
             )
         else:
             self.dismiss(way)

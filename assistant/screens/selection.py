@@ -26,6 +26,7 @@ from calc.sheet.progress import Progress
 from calc.sheet.step import OF_SHAFTS
 from calc.sheet.text import EMPTY, SEMICOLON, Text
 
+from ..actions import bound
 from ..base_app import BaseApp
 from ..offers import Offer, offer
 from ..session.editing import applied, locked_text, told
@@ -63,9 +64,11 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
     BAR: ClassVar[int]
     BEHIND: ClassVar[Text] = EMPTY
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q", "leave", "Close", show=False),
-        Binding("down,j", "move(1)", "Down", show=False),
-        Binding("up", "move(-1)", "Up", show=False),
+        bound("leave", "leave"),
+        bound("save", "app.save"),
+        bound("close", "leave"),
+        bound("down", "move(1)"),
+        bound("up", "move(-1)"),
     ]
 
     def __init__(self) -> None:
@@ -257,10 +260,9 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
 
     STATE, BAR, BEHIND = "choosing-state", 30, Text("Esc stops")
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("enter", "take", "Take the row", show=False),
-        Binding("k", "move(-1)", "Up", show=False),
-        Binding("y", "copy('value')", "Copy the row", show=False),
-        Binding("Y", "copy('line')", "Copy the row with its columns", show=False),
+        bound("go_on", "take"),
+        bound("copy", "copy('value')"),
+        bound("copy_line", "copy('line')"),
     ]
 
     @dataclass

@@ -22,10 +22,12 @@ from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import EXAMPLE
 
+from ..actions import anywhere, bound
 from ..base_app import TYPING, BaseApp
 from ..session.beginnings import Beginning, Finding, finding, groups
 from ..session.recovery import Memory
 from ..session.session import Session
+from ..widgets.entry import Line
 from ..widgets.text import fit, folded, match, pad, wrap
 from .path_dialogs import OpenDialog, begin_with
 
@@ -156,6 +158,11 @@ NOTHING = Text(
     "a radial one with any: every number of it can be replaced, and the layout. "
     "Words that find one: inline, parallel, V, boxer, twin, diesel, petrol, own."
 )
+ENTER = {  # what it does with a row, by its kind
+    "open": Text("Enter asks for the file"),
+    "example": Text("Enter opens it"),
+    "file": Text("Enter opens it"),
+}
 SPACES = 3  # cells before a row
 TITLE, ABOUT, SIZE, SHAKES, BALANCING = 20, 31, 17, 38, 20  # cells of the columns; of what it is at least
 
@@ -177,9 +184,10 @@ class Start(Screen[None]):
         Binding("up", "move(-1)", "Up", show=False, priority=True),
         Binding("pagedown", "page(1)", "A screenful down", show=False, priority=True),
         Binding("pageup", "page(-1)", "A screenful up", show=False, priority=True),
-        Binding("ctrl+p", "app.command_palette", "Palette", show=False, priority=True),
-        Binding("ctrl+o", "open", "Open", show=False, priority=True),
+        Binding("ctrl+p", "app.command_palette", "Palette", show=False, priority=True, id=anywhere("palette")),
+        Binding("ctrl+o", "open", "Open", show=False, priority=True, id=anywhere("open")),
         Binding("escape", "leave", "Back", show=False, priority=True),
+        bound("save", "app.save"),
     ]
 
     def __init__(self, memory: Memory, missing: Path | None = None, *, engines: bool = False) -> None:
@@ -203,7 +211,7 @@ class Start(Screen[None]):
             ),
             id="start-title",
         )
-        yield Input(
+        yield Line(
             placeholder=say(Text("type to find an engine or a design: inline 3, boxer, own …")),
             compact=True,
             id="words",
@@ -211,13 +219,25 @@ class Start(Screen[None]):
         with Horizontal(id="start-body"):
             yield BeginningList(id="ways", compact=True)
             yield BeginDetail(self.memory)
-        leaves = Text("ends") if len(self.app.screen_stack) < 2 else Text("goes back")
-        hint = Text("Enter begins   ↑ ↓ choose   ^o opens a file   Esc {leaves}", leaves=leaves)
-        yield Static(Content.styled(f" {say(hint)}", "dim"), id="start-keys")
+        yield Static(id="start-keys")
+
+    def show_keys(self) -> None:
+        """What Enter does with the row under the cursor, Esc with what is typed, and the other keys."""
+        say, here = self.app.say, self.here
+        typed = self.query_one("#words", Input).value
+        leaves = Text("goes back") if len(self.app.screen_stack) > 1 else Text("ends")
+        hints = [
+            ENTER.get(here.kind, Text("Enter begins")) if here is not None else EMPTY,
+            Text("↑ ↓ choose"),
+            Text("{key} opens a file", key=self.app.shown_key("open")),
+            Text("Esc {leaves}", leaves=Text("takes the words away") if typed else leaves),
+        ]
+        line = " " + "   ".join(say(hint) for hint in hints if hint)
+        self.query_one("#start-keys", Static).update(Content.styled(line, "dim"), layout=False)
 
     def on_mount(self) -> None:
         self.fill()
-        self.call_after_refresh(self.app.release)
+        self.call_after_refresh(self.app.release, self.app.holding)
         self.set_timer(TYPING, self._look_at_all)
 
     # --- what shakes, and what balancing it calls for
@@ -295,6 +315,7 @@ class Start(Screen[None]):
         self.ways.highlighted = self._rows.index(before) if stays else first
         if not options:
             self.query_one(BeginDetail).tell(NOTHING)
+        self.show_keys()
 
     def _found(self, words: list[str], rows: list[Beginning]) -> "Iterator[tuple[float, Beginning]]":
         say = self.app.say
@@ -326,6 +347,7 @@ class Start(Screen[None]):
         event.stop()
         if self.here is not None:
             self.query_one(BeginDetail).show(self.here)
+        self.show_keys()
 
     # --- keys
     def on_input_changed(self, event: Input.Changed) -> None:

@@ -21,7 +21,7 @@ from ..widgets.curve_pane import CurvePane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
-from ..widgets.headings import ArrayHeading, TableHeading
+from ..widgets.headings import ArrayHeading, Fold, TableHeading
 from ..widgets.item_list import ItemList
 from ..widgets.steps import READY
 from .workbench_edits import WorkbenchEdits
@@ -63,11 +63,12 @@ class Workbench(WorkbenchEdits):
     # --- keys
     async def action_act(self, id: str) -> None:
         """Run an action of the table.  Keys that wait for it go where it has led."""
+        hold = self.app.holding
         name, *arguments = BY_ID[id].call or (id,)
         result = getattr(self, f"action_{name}")(*arguments)
         if isawaitable(result):
             await result
-        self.app.screen.call_after_refresh(self.app.release)
+        self.app.screen.call_after_refresh(self.app.release, hold)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Keys do nothing, and are lost, while there is nothing that they could act on; those that leaf through shafts
@@ -140,6 +141,12 @@ class Workbench(WorkbenchEdits):
     @on(ItemList.Moved, "Radio")
     def radio_moved(self) -> None:
         self.show_help()
+        self.show_finding()
+
+    @on(Fold.Turned)
+    def fold_turned(self, event: Fold.Turned) -> None:
+        event.stop()
+        self.show_help()
 
     @on(ItemList.Moved, "Checks")
     def checks_moved(self) -> None:
@@ -198,14 +205,12 @@ class Workbench(WorkbenchEdits):
         if pane is not None:
             self.at_pane(pane)
         self.show_help()
-        if isinstance(event.widget, Checks):
-            self.call_later(self.show_finding)
+        self.call_later(self.show_finding)
 
     def on_descendant_blur(self, event: events.DescendantBlur) -> None:
         self.call_later(self.show_help)
         self.call_later(self._keep_focus)
-        if isinstance(event.widget, Checks) and self.stands:
-            self.call_later(self.show_finding)
+        self.call_later(self.show_finding)
 
     def _keep_focus(self) -> None:
         """A list that is hidden and shown between two frames loses the focus, with nobody to take it."""

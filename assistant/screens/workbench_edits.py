@@ -20,7 +20,7 @@ from calc.sheet.remedy import assignment
 from calc.sheet.text import COMMA, EMPTY, Name, Text
 from calc.sheet.verdict import grouped
 
-from ..session.compare_with import edit_text
+from ..actions import is_typed
 from ..session.editing import BuildPlan, told
 from ..session.guide import CHOICES
 from ..session.places import GEARS, SHAFTS, Place, driver_of, first_key, named_key, ways_to_add
@@ -29,6 +29,7 @@ from ..session.recovery import Edits
 from ..session.saving import ChangedOnDisk, Draft, NeedsUpgrade, SaveError, write_atomic
 from ..session.session import Session
 from ..session.solving import mistake
+from ..session.travelled import travelled
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
@@ -123,6 +124,11 @@ class WorkbenchEdits(WorkbenchMoves):
             field.box.value = text
             field.box.cursor_position = len(text)
 
+    def action_lock(self) -> None:
+        """Lock the input of a field, or unlock it."""
+        if not self.form.toggle_lock():
+            self.app.tell(Text("Go to a field first: it is an input that can be locked."))
+
     # --- undo and redo
     async def action_undo(self) -> None:
         await self._travel(self.session.undo, Text("Undone"), Text("Nothing to undo."))
@@ -131,25 +137,37 @@ class WorkbenchEdits(WorkbenchMoves):
         await self._travel(self.session.redo, Text("Done again"), Text("Nothing to redo."))
 
     async def _travel(self, travel: Callable[[], Place | None], done: Text, nothing: Text) -> None:
-        before = self.session.data
-        idle = isinstance(self.focused, Form)  # a letter was the key, and the next one shall be a key as well
-        place = travel()
-        if place is None:
+        """Take it back, or do it again; say what has changed, and go there."""
+        before = self.session.history.state
+        by_letter = isinstance(self.focused, Form) and is_typed(self.app.struck_key)
+        where = travel()
+        if where is None:
             self.app.tell(nothing)
             return
-        if changed := edit_text(before, self.session.data):
-            self.app.tell(Text("{done}: {changes}", done=done, changes=changed))
+        names = {check.id: check.name for check in self.session.results.checks()} if self.session.results else {}
+        what = travelled(before, self.session.history.state, lambda id: names.get(id, Name(id)))
+        if what.words:
+            self.app.tell(Text("{done}: {changes}", done=done, changes=what.words))
+        place = what.place or where
         field: Field | None = self.form.field
         if field is not None and field.place == place:
             field.rewrite()
         self.edited()
-        if place:
+        step = next((step for step in STEPS if step.key == what.step), None)
+        if what.check and step is not None:
+            await self.to_check(step, what.check)
+        elif place:
             await self.to_field(place)
-            if (there := self.form.field) is not None:
+            there = self.form.field
+            if there is not None:
                 there.rewrite()
-            if idle:
+            if by_letter:  # the next letter shall be a key as well; Enter goes into the field
                 self.form.last = place
-                self.form.focus(scroll_visible=False)
+                self.set_focus(self.form, scroll_visible=False)
+                self.call_after_refresh((there or self.form).scroll_visible, animate=False)
+        elif step is not None:
+            self.at_pane("inputs")
+            await self.open_step(step)
 
     # --- remedies
     def action_remedies(self) -> None:

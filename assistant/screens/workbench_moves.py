@@ -11,6 +11,7 @@ from calc.design.addresses import asks, step_at
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput
+from calc.sheet.step import Step
 from calc.sheet.text import Text
 from calc.sheet.verdict import severity
 
@@ -22,11 +23,12 @@ from ..session.places import Place
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
 from ..widgets.curve_pane import CurvePane
+from ..widgets.entry import Choice, Entry
 from ..widgets.form import Form
 from ..widgets.headings import ArrayHeading, TableHeading
 from ..widgets.item_list import ItemList
-from ..widgets.radio import Radio
-from ..widgets.steps import nothing_left, states_of
+from ..widgets.radio import Balance, Radio
+from ..widgets.steps import Steps, nothing_left, states_of
 from ..widgets.table_list import TableList
 from .help import HelpScreen
 from .path_dialogs import CompareWith
@@ -35,11 +37,11 @@ from .workbench_results import WorkbenchResults
 
 WRITING = Text("The calculation is still being written out.")
 FIRST = Text("This is the first step.")
-ONE_SHAFT = Text("This design has no other shaft; + on the list of shafts in step 3 adds one.")
+ONE_SHAFT = Text("This design has no other shaft; the list of shafts in step 3 adds one.")
 NO_SHAFT = Text("Shafts are leafed through in steps 3 to 5.")
 NO_CURVE = Text("This step has no curve.")
 NO_PIXELS = Text(
-    "P draws the curve in pixels, as Kitty, iTerm2, WezTerm, foot and others can; "
+    "The curve in pixels: Kitty, iTerm2, WezTerm, foot and others show it; "
     "this terminal does not say that it does, so nothing was drawn."
 )
 
@@ -51,17 +53,42 @@ class WorkbenchMoves(WorkbenchResults):
 
     async def action_turn_step(self, by: int) -> None:
         self.app.forget(FIRST)
-        n, idle = self.number - 1 + by, isinstance(self.focused, Form)
-        while 0 <= n < len(STEPS) and STEPS[n].optional and not asks(self.session.data, STEPS[n].key):
-            n += by  # nobody is led into what the design does without
-        if 0 <= n < len(STEPS):
-            await self.open_step(STEPS[n])
+        step, idle = self._beside(by), isinstance(self.focused, Form)
+        if step is not None:
+            await self.open_step(step)
             if idle and not self._done and isinstance(next(iter(self.form.stops()), None), Radio):
                 self.form.focus_place(None)  # what is to be chosen stands under the cursor; letters stay keys there
         elif by > 0:
             self.action_ready()  # behind the last step
         else:
             self.app.tell(FIRST)
+
+    def _beside(self, by: int) -> Step | None:
+        """The step after, or before; none behind the last one."""
+        n = self.number - 1 + by
+        while 0 <= n < len(STEPS) and STEPS[n].optional and not asks(self.session.data, STEPS[n].key):
+            n += by  # nobody is led into what the design does without
+        return STEPS[n] if 0 <= n < len(STEPS) else None
+
+    @property
+    def enter_leads(self) -> str:
+        """The step that Enter leads to now, or that it builds; empty where it does something else."""
+        if self.form_of(self.step) is None:  # another form may just be on its way
+            return ""
+        focused, after = self.focused, self._beside(1)
+        if isinstance(focused, Steps):
+            return focused.key
+        if isinstance(focused, Balance) and focused.taken:
+            leads_on = True
+        elif isinstance(focused, Radio):
+            return self.step.key
+        elif focused is self.form:
+            leads_on = self._done
+        elif isinstance(focused, (ArrayHeading, TableHeading)):
+            leads_on = not focused.adds and self.form.below() is None
+        else:
+            leads_on = isinstance(focused, (Entry, Choice)) and self.form.below() is None
+        return after.key if leads_on and after is not None else ""
 
     async def lead_on(self) -> None:
         """The step after; where nothing is left to do in it, no field of it is edited, so that the next Enter leads on
@@ -105,12 +132,20 @@ class WorkbenchMoves(WorkbenchResults):
         self.set_focus(checks)
         self.call_after_refresh(checks.go_to, check.id)
 
+    async def to_check(self, step: Step, id: str) -> None:
+        """To a finding of a step."""
+        self.at_pane("checks")
+        await self.open_step(step, stay=True)
+        self.set_focus(self.checks)
+        self.call_after_refresh(self.checks.go_to, id)
+
     def action_line(self) -> None:
         """From a check to the line of the calculation that gives its value."""
         if self.focused is self.checks and self.checks.key:
             self.to_line(self.checks.key)
         else:
-            self.app.tell(Text("Go to a check first (F7, or F6 to the checks)."))
+            finding, pane = self.app.shown_key("trouble"), self.app.shown_key("pane")
+            self.app.tell(Text("Go to a check first ({finding}, or {pane} to the checks).", finding=finding, pane=pane))
 
     def to_line(self, check: str) -> None:
         """The line of the calculation that a check comes from."""
@@ -419,9 +454,9 @@ class WorkbenchMoves(WorkbenchResults):
         if to in BY_ID:
             await self.run_action(BY_ID[to].does)
         elif to is not None:
-            step, _, check = to.partition(".")
-            self.at_pane("checks" if check else "inputs")
-            await self.open_step(next(candidate for candidate in STEPS if candidate.key == step), stay=bool(check))
-            if check:
-                self.checks.focus()
-                self.call_after_refresh(self.checks.go_to, to)
+            step = next(step for step in STEPS if step.key == to.partition(".")[0])
+            if "." in to:
+                await self.to_check(step, to)
+            else:
+                self.at_pane("inputs")
+                await self.open_step(step)

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import ClassVar
 
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.containers import Container, Horizontal, Vertical
 from textual.content import Content
 from textual.reactive import Reactive
@@ -25,7 +25,7 @@ from calc.locale import Language
 from calc.sheet.step import OF_SHAFTS, Step
 from calc.sheet.text import Text
 
-from ..actions import ACTIONS
+from ..actions import ACTIONS, bound
 from ..base_app import BaseApp
 from ..session.guide import title_of
 from ..session.places import OF_SHAFT
@@ -58,9 +58,7 @@ class WorkbenchPanes(Screen[None]):
 
     app: BaseApp
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (100, "-wide"), (HUGE, "-huge")]  # noqa: RUF012
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding(a.binding, a.does, a.title, show=False, id=a.id, priority=a.first) for a in ACTIONS if a.binding
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = [bound(action.id) for action in ACTIONS]
     AUTO_FOCUS = ""
     # a change of the focus is drawn by the two widgets; the whole screen need not be
     focused: Reactive[Widget | None] = Reactive(None, repaint=False)
@@ -78,6 +76,11 @@ class WorkbenchPanes(Screen[None]):
 
     def reset_panes(self) -> None:
         self.pane, self.turned, self.large = "inputs", TURNED[0], False
+
+    @property
+    def enter_leads(self) -> str:
+        """The step that Enter leads to now; empty where it does something else."""
+        raise NotImplementedError
 
     # --- the parts
     def compose(self) -> ComposeResult:
@@ -100,7 +103,7 @@ class WorkbenchPanes(Screen[None]):
                 with Vertical(id="judged"):
                     yield Pane(Text("Findings"), Checks(), id="checks")
                     yield Pane(Text("Calculation"), Calculation(), id="calculation")
-        yield MessageLine(self.session)
+        yield MessageLine(self.session, lambda: self.enter_leads)
         yield FooterLine()
 
     async def compose_again(self) -> None:

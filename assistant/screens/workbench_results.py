@@ -477,7 +477,8 @@ class WorkbenchResults(WorkbenchPanes):
         self.show_keys()
 
     def show_finding(self) -> None:
-        """The message line speaks of the finding under the cursor, while the findings have the focus."""
+        """The message line speaks of the finding under the cursor, while the findings have the focus, else of what is
+        to do and how to get there from here."""
         if not self.stands:  # at the end of the program
             return
         line, checks = self.query_one(MessageLine), self.checks

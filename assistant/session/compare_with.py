@@ -65,11 +65,21 @@ def edit_text(before: Table, after: Table) -> Text:
 
 
 def _input_text(difference: InputDifference) -> Text:
-    old, new = (text if len(text) <= LONGEST else text[: LONGEST - 1] + "…" for text in input_texts(difference))
     label = named(difference.key, difference.label, step=True)
-    if not difference.unit:
-        return Text("{label}: {old} → {new}", label=label, old=old, new=new)
-    return Text("{label}: {old} → {new} {unit}", label=label, old=old, new=new, unit=difference.unit)
+    return Text("{label}: {change}", label=label, change=from_to(difference))
+
+
+def from_to(difference: InputDifference) -> Text:
+    """`94 → 95 mm`; the unit stands behind numbers alone: `0.8 mrad → left out`."""
+    old, new = (text if len(text) <= LONGEST else text[: LONGEST - 1] + "…" for text in input_texts(difference))
+    unit = difference.unit
+    if not unit or difference.b is not None:
+        return (
+            Text("{old} → {new} {unit}", old=old, new=new, unit=unit)
+            if unit
+            else Text("{old} → {new}", old=old, new=new)
+        )
+    return Text("{old} {unit} → {new}", old=old, new=new, unit=unit)
 
 
 def of_session(session: Session, other: Other) -> Chosen:

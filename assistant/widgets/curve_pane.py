@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from textual import events
-from textual.actions import SkipAction
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.content import Content
@@ -97,8 +96,9 @@ class Legend:
         sight, key, say = self.sight, self.app.shown_key, self.app.say
         if self.walks and keys:
             words = Text(
-                "{keys} other speeds, {key} other loads",
+                "{keys} after {leave}: other speeds, {key} other loads",
                 keys=f"{key('walk_back')} {key('walk_on')}",
+                leave=key("leave"),
                 key=key("variant"),
             )
             yield Content.styled(say(words), "dim")
@@ -204,7 +204,6 @@ class CurvePane(Pane, can_focus=True):
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("space", "turn(1)", "Next curve", show=False),
-        Binding("l", "other_row", "Other load", show=False),
     ]
 
     @dataclass
@@ -321,10 +320,6 @@ class CurvePane(Pane, can_focus=True):
         self.walked[self._way(leaf)] = min(max(step + by, 0), walk.steps - 1), (row + rows) % walk.rows
         self.draw()
         return True
-
-    def action_other_row(self) -> None:
-        if not self.walk(0, 1):
-            raise SkipAction  # the key is the screen's
 
     def turn_crank(self, by: int) -> bool:
         """Turn the vectors; False where there are none."""

@@ -32,11 +32,24 @@ LEAVING: tuple[Binding, ...] = (
     Binding("up", f"screen.{BY_ID['up'].does}", "Previous field", show=False, priority=True),
 )
 AT_ONCE = ("down", "up", "go_on", "quit")  # actions that have such a binding, here or in the app
-LOCK = "k"
 EDITS = {binding.key: binding.action for binding in Binding.make_bindings(Input.BINDINGS)}
 
 
-class Entry(Input):
+class Line(Input):
+    """A line to type on.  Keys that edit act at once, and not when they have come back from all parents: those that
+    were struck later would come first."""
+
+    async def _on_key(self, event: events.Key) -> None:
+        action = EDITS.get(event.key)
+        if action is None or event.is_printable:
+            await super()._on_key(event)
+            return
+        event.stop()
+        event.prevent_default()
+        await self.run_action(action)
+
+
+class Entry(Line):
     """A one-row text input.  The first key replaces the text, as in a table; from then on it is being edited, and Esc
     takes it back.
 
@@ -55,12 +68,6 @@ class Entry(Input):
     @dataclass
     class Began(Message):
         """The first key was struck."""
-
-        entry: "Entry"
-
-    @dataclass
-    class Locked(Message):
-        """The lock of the input is asked for."""
 
         entry: "Entry"
 
@@ -86,22 +93,9 @@ class Entry(Input):
         self.virtual_size = Size(self.content_width, 1)
 
     async def _on_key(self, event: events.Key) -> None:
-        """Keys that edit act at once and not when they have come back from all parents: those that were struck later
-        would come first."""
-        if event.key == LOCK and self.numeric and not self.editing:
-            event.stop()
-            event.prevent_default()
-            self.post_message(self.Locked(self))
-            return
-        action = EDITS.get(event.key)
-        if action is not None or event.is_printable:
+        if event.key in EDITS or event.is_printable:
             self._begin()
-        if action is None or event.is_printable:
-            await super()._on_key(event)
-            return
-        event.stop()
-        event.prevent_default()
-        await self.run_action(action)
+        await super()._on_key(event)
 
     def _begin(self) -> None:
         if not self.editing:
@@ -173,12 +167,6 @@ class Choice(Widget, can_focus=True):
         choice: "Choice"
         value: str
 
-    @dataclass
-    class Locked(Message):
-        """The lock of the input is asked for."""
-
-        choice: "Choice"
-
     def __init__(self, words: tuple[str, ...], value: str, *, optional: bool, prompt: str, named: bool = False) -> None:
         """`named`: the words are names, which every language leaves as they are."""
         super().__init__()
@@ -217,15 +205,13 @@ class Choice(Widget, can_focus=True):
         return Content.assemble((f"{text:<{room}} ", "" if self.value else "italic dim"), (mark, "dim"))
 
     def on_key(self, event: events.Key) -> None:
-        """A letter or a digit begins a word; `k` is the key of the lock."""
+        """A letter or a digit begins a word."""
         if not event.is_printable or not event.character or not event.character.isalnum():
             return
         event.stop()
         event.prevent_default()
         if self.app.screen is not self.screen:  # struck while the list was being opened
             self.app.screen.post_message(event)
-        elif event.key == LOCK:
-            self.post_message(self.Locked(self))
         else:
             self.action_open(event.character)
 

@@ -500,13 +500,16 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     def go_on(self) -> None:
         """To the next field below, past headings and folds; from the last one to the next step."""
-        stops = self.stops()
-        here = stops.index(self.screen.focused) if self.screen.focused in stops else -1
-        below = (stop for stop in stops[here + 1 :] if isinstance(stop, (Entry, Choice)))
-        if (stop := next(below, None)) is not None:
+        if (stop := self.below()) is not None:
             self.screen.set_focus(stop)
         else:
             self.post_message(self.Done())
+
+    def below(self) -> Widget | None:
+        """The next field below that which has the focus."""
+        stops = self.stops()
+        here = stops.index(self.screen.focused) if self.screen.focused in stops else -1
+        return next((stop for stop in stops[here + 1 :] if isinstance(stop, (Entry, Choice))), None)
 
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         if (field := self.field) is not None:
@@ -560,18 +563,16 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.app.tell(Text("There is no field left for {values}.", values="; ".join(left)), "warning")
         self.screen.set_focus(fields[min(len(values), len(fields)) - 1].box)
 
-    def on_entry_locked(self, event: Entry.Locked | Choice.Locked) -> None:
-        """Lock the input against remedies and searches, or unlock it."""
-        event.stop()
-        if (field := self.field) is not None:
-            self.session.toggle_lock(field.place)
-            field.redraw()
-            self.post_message(self.Changed())
-
-    on_choice_locked = on_entry_locked
+    def toggle_lock(self) -> bool:
+        """Lock the input that has the focus against remedies and searches, or unlock it; False where there is none."""
+        if (field := self.field) is None:
+            return False
+        self.session.toggle_lock(field.place)
+        field.redraw()
+        self.post_message(self.Changed())
+        return True
 
     def on_fold_turned(self, event: Fold.Turned) -> None:
-        event.stop()
         n = int(str(event.fold.row.place[-1]))
         self.opened = self.opened | {n} if event.open else self.opened - {n}
         self.refresh_fields(self.session.reasons())

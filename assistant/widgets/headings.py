@@ -21,6 +21,7 @@ from calc.sheet.number import short
 from calc.sheet.quantity import dotted, keys
 from calc.sheet.text import EMPTY, Name, Text
 
+from ..actions import bound
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NOTE
 from ..session.places import BEARINGS, NAME, SHAFTS, content_at, original_of, twin_words, with_bearings
@@ -37,6 +38,11 @@ SHAFT_NAME = 8  # cells of a shaft's name in their list
 RATIO = dotted(ShaftInputs.speed_ratio)
 
 
+def keyed(app: BaseApp, words: Text, **more: str) -> Text:
+    """What a heading does, with its keys."""
+    return Text(words.template, add=app.shown_key("add"), remove=app.shown_key("leave_out"), **more)
+
+
 class ArrayHeading(Widget, can_focus=True):
     """`◂ 2 of 4: central ▸` of a long array, over a table of what its elements must have; `2` of a short one that
     stands there whole."""
@@ -46,13 +52,13 @@ class ArrayHeading(Widget, can_focus=True):
         *LEAVING,
         Binding("left", "leaf(-1)", "Element before", show=False),
         Binding("right,space", "leaf(1)", "Next element", show=False),
-        Binding("plus", "add", "Add an element", show=False),
-        Binding("minus,delete", "remove", "Remove the element", show=False),
+        bound("add", "add"),
+        bound("leave_out", "remove"),
+        Binding("delete", "remove", "Remove the element", show=False),
     ]
     HELP = Text(
-        "+ (or Enter, while there is none) adds an element, like the last one; − takes out the one that is shown (the "
-        "last of a short "
-        "list); ← → leafs through them."
+        "{add} (or Enter, while there is none) adds an element, like the last one; {remove} takes out the one that is "
+        "shown (the last of a short list); ← → leafs through them."
     )
 
     @dataclass
@@ -150,7 +156,11 @@ class ArrayHeading(Widget, can_focus=True):
 
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
-        return heading_help(self.row.about, self.HELP, self.reason, self.app)
+        return heading_help(self.row.about, self.does(), self.reason, self.app)
+
+    def does(self) -> Text:
+        """What its keys do."""
+        return keyed(self.app, self.HELP)
 
     def render(self) -> Content:
         names = self.names()
@@ -211,15 +221,14 @@ class ShaftsHeading(ArrayHeading):
     """That of the shafts: what each is, and what it gives.  Where another step asks for them, one row that leafs."""
 
     HELP = Text(
-        "+ adds a shaft: the mirror image of the one in view, the same once more, or one of its own; − takes out the "
-        "one in view, an original with its twins. ← → leaf here, {keys} everywhere in steps 3 to 5."
+        "{add} adds a shaft: the mirror image of the one in view, the same once more, or one of its own; {remove} "
+        "takes out the one in view, an original with its twins. ← → leaf here, {keys} everywhere in steps 3 to 5."
     )
     LEAFS = Text("← → leaf here, {keys} everywhere in steps 3 to 5. Step 3 adds shafts and takes them out.")
 
-    def explained(self) -> tuple[str, str]:
+    def does(self) -> Text:
         app, words = self.app, self.HELP if self.row.kind == "array" else self.LEAFS
-        keys = f"{app.shown_key('shaft_back')} {app.shown_key('shaft_on')}"
-        return heading_help(self.row.about, Text(words.template, keys=keys), self.reason, app)
+        return keyed(app, words, keys=f"{app.shown_key('shaft_back')} {app.shown_key('shaft_on')}")
 
     def cells(self) -> list[tuple[str, ...]]:
         """Name; ratio, or whose twin; couple, force and mass, but for what is nought in all."""
@@ -264,13 +273,12 @@ class TableHeading(Widget, can_focus=True):
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         *LEAVING,
-        Binding("plus", "add", "Add the table", show=False),
-        Binding("minus,delete", "remove", "Remove the table", show=False),
+        bound("add", "add"),
+        bound("leave_out", "remove"),
+        Binding("delete", "remove", "Remove the table", show=False),
     ]
-    HELP = Text(
-        "This part may be left out. + or Enter adds it, its fields empty; − takes it out with all its fields. Undo "
-        "takes either back."
-    )
+    ADDS = Text("This part may be left out. {add} or Enter adds it, its fields empty; undo takes it back.")
+    REMOVES = Text("This part may be left out. {remove} takes it out with all its fields; undo brings them back.")
 
     @dataclass
     class Added(Message):
@@ -306,7 +314,11 @@ class TableHeading(Widget, can_focus=True):
 
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
-        return heading_help(self.row.about, self.HELP, self.reason, self.app)
+        return heading_help(self.row.about, self.does(), self.reason, self.app)
+
+    def does(self) -> Text:
+        """What its keys do now."""
+        return keyed(self.app, self.ADDS if self.adds else self.REMOVES)
 
     def render(self) -> Content:
         minus = "-" if self.app.signs.ascii else "−"
@@ -345,7 +357,8 @@ class Fold(Widget, can_focus=True):
         Binding("right", "turn(True)", "Open", show=False),
         Binding("left", "turn(False)", "Close", show=False),
     ]
-    HELP = Text("Enter or → opens it, ← closes it. What is left empty in it, the program assumes.")
+    OPENS = Text("Enter or → opens it. What is left empty in it, the program assumes.")
+    CLOSES = Text("Enter or ← closes it. What is left empty in it, the program assumes.")
 
     @dataclass
     class Turned(Message):
@@ -367,7 +380,8 @@ class Fold(Widget, can_focus=True):
 
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
-        return str(self.row.about.label), f"{self.app.say(self.HELP)} {', '.join(self._names())}."
+        does = self.app.say(self.CLOSES if self.row.open else self.OPENS)
+        return str(self.row.about.label), f"{does} {', '.join(self._names())}."
 
     def _title(self) -> str:
         """How many inputs lie in it, and how many of them are left to the program."""

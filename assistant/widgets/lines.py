@@ -3,14 +3,13 @@
 
 The message is why an input is not accepted, what a step waits for, or a finding, that under the cursor or the worst."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from textual.content import Content
 from textual.style import Style
 from textual.widget import Widget
 
-from calc.design.addresses import Table
 from calc.design.key_results import judged
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
@@ -37,9 +36,10 @@ ROWS = 2
 class MessageLine(Widget):
     app: BaseApp
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, enter: Callable[[], str]) -> None:
+        """`enter`: the step that Enter leads to now; empty where it does something else."""
         super().__init__(id="message-line")
-        self.session = session
+        self.session, self.enter = session, enter
         self.step = STEPS[0].key
         self.finding = ""  # the check under the cursor, where the findings have the focus
         self.trouble = ""  # the step that fails
@@ -69,7 +69,7 @@ class MessageLine(Widget):
         if chosen is not None:
             return judged(chosen), self._check(chosen)
         states = states_of(session)
-        ahead = _ahead(states, session.data)
+        ahead = self._ahead(states)
         if ahead and outcome.verdict == "not_verified" and nothing_left(states, self.step):
             return "todo", say(ahead)
         if urgent := self._urgent_here(outcome) or self._urgent_anywhere(session.results):
@@ -120,6 +120,19 @@ class MessageLine(Widget):
         data = self.session.data
         return next((f"{n} {self.app.say(title_of(s, data))}: " for n, s in enumerate(STEPS, 1) if s.key == key), "")
 
+    def _ahead(self, states: Sequence[StepState]) -> Text:
+        """The next step that is to do, with the key that leads there now; empty where none is."""
+        n = next((n for n, state in enumerate(states, 1) if state.state == "todo"), None)
+        if n is None:
+            return EMPTY
+        step = STEPS[n - 1]
+        parts = {"n": n, "step": title_of(step, self.session.data)}
+        by_enter = self.enter() == step.key
+        if not by_enter and step.key == self.step:
+            return Text("{n} {step} is to do.", **parts)
+        key = self.app.shown_key("go_on" if by_enter else f"step_{n}")
+        return Text("{key} goes on: {n} {step} is to do.", key=key, **parts)
+
     def _check(self, check: Check) -> str:
         soft = check.kind in ("advice", "method")
         needs = Text("only just") if check.narrow else Text("should be") if soft else Text("needs")
@@ -158,14 +171,6 @@ class MessageLine(Widget):
         mark = signs.mark(state)
         lines = [f" {mark} {rows[0]}", *(f"   {row}" for row in rows[1:ROWS])]
         return Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)
-
-
-def _ahead(states: Sequence[StepState], data: Table) -> Text:
-    """The next step that is to do; empty where none is."""
-    todo = next((n for n, state in enumerate(states) if state.state == "todo"), None)
-    if todo is None:
-        return EMPTY
-    return Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=title_of(STEPS[todo], data))
 
 
 # --- the first row

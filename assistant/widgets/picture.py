@@ -16,6 +16,7 @@ from calc.design.model import TITLES, Design
 from calc.draw.drawing import Sketch
 from calc.sheet.text import EMPTY, Text
 
+from ..actions import bound
 from ..base_app import BaseApp
 
 if TYPE_CHECKING:
@@ -36,8 +37,8 @@ class Picture(Widget, can_focus=True):
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("left", f"turn(-{PRESSED})", "Turn back", show=False),
         Binding("right", f"turn({PRESSED})", "Turn", show=False),
-        Binding("comma", "leaf(-1)", "Picture before", show=False),
-        Binding("full_stop", "leaf(1)", "Next picture", show=False),
+        bound("walk_back", "leaf(-1)"),
+        bound("walk_on", "leaf(1)"),
         Binding("space", "halt", "Halt and go on", show=False),
     ]
 

@@ -34,7 +34,11 @@ class Radio(ItemList, inherit_bindings=False):
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
         say = self.app.say
-        return say(GUIDES[self.step].question), say(Text("↑ ↓ choose, Enter takes it; undo takes it back."))
+        return say(GUIDES[self.step].question), say(self.enter())
+
+    def enter(self) -> Text:
+        """What Enter does with the row under the cursor."""
+        return Text("↑ ↓ choose, Enter takes it; undo takes it back.")
 
     def action_take(self) -> None:
         self.choose()
@@ -72,9 +76,13 @@ class Todo(Radio):
         rows = wrap(self.button(on) + words, width - 1, 4)
         return Item(key, [Content(row) for row in rows], line=words)
 
+    def enter(self) -> Text:
+        return Text("↑ ↓ choose, Enter asks for the reason.") if self.key == self.LEAVE else super().enter()
+
     def explained(self) -> tuple[str, str]:
         title, text = super().explained()
-        return title, f"{text} {self.app.say(Text('- leaves the step out, for a reason that you type.'))}"
+        leave = Text("{key} leaves the step out, for a reason that you type.", key=self.app.shown_key("leave_out"))
+        return title, f"{text} {self.app.say(leave)}"
 
 
 class Balance(Radio):
@@ -121,6 +129,14 @@ class Balance(Radio):
         from calc.studies.starter.build import choice_made
 
         return choice_made(self.session.document)
+
+    @property
+    def taken(self) -> bool:
+        """Whether the design has what is under the cursor: Enter goes on from there."""
+        return bool(self.key) and self.key == self.made()
+
+    def enter(self) -> Text:
+        return Text("↑ ↓ choose. The design has this one: Enter goes on.") if self.taken else super().enter()
 
     def explained(self) -> tuple[str, str]:
         known = next((balancing for balancing in self._known if balancing.id == self.key), None)

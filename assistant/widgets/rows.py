@@ -334,7 +334,6 @@ class FieldHelp(Widget):
         if not self.title:
             return Content("")
         words = ": ".join(filter(None, (self.title, " ".join(filter(None, (self.text, self.moves))))))
-        rows = foot(
-            words, self.rest, f"  {self.app.say(Text('F1 more'))}", max(10, self.size.width - 2), self.size.height
-        )
+        more = self.app.say(Text("{key} more", key=self.app.shown_key("help")))
+        rows = foot(words, self.rest, f"  {more}", max(10, self.size.width - 2), self.size.height)
         return Content.styled("\n".join(" " + row for row in rows), "dim")

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from textual.widgets import Input
 
-from assistant.actions import ACTIONS, BY_ID, Action, key_name
+from assistant.actions import ACTIONS, BY_ID, ELSEWHERE, Action, key_name
 from assistant.screens.workbench import Workbench
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.lines import FooterLine
@@ -20,7 +20,7 @@ ALLOWED_IN_A_FIELD = {"up", "down", "enter", "escape", "shift+up", "shift+down",
 
 
 def test_every_action_has_words_and_a_method() -> None:
-    assert len(BY_ID) == len(ACTIONS)
+    assert len(BY_ID) == len(ACTIONS) + len(ELSEWHERE)
     for action in ACTIONS:
         assert action.title and action.help.endswith("."), action.id
         assert action.binding, action.id
@@ -42,7 +42,7 @@ def test_an_action_without_a_method_or_with_two_is_found() -> None:
 
 
 def test_no_key_is_given_twice() -> None:
-    keys = [key for action in ACTIONS for key in action.binding.split(",")]
+    keys = [key for action in (*ACTIONS, *ELSEWHERE) for key in action.binding.split(",")]
     assert len(keys) == len(set(keys))
 
 

@@ -13,9 +13,10 @@ from assistant.actions import BY_ID
 from assistant.app import ContralberoApp
 from assistant.screens.dialogs import Choose
 from assistant.screens.palette import Palette
-from assistant.screens.path_dialogs import OpenDialog, SaveDialog
+from assistant.screens.path_dialogs import CompareFile, OpenDialog, SaveDialog
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
+from assistant.widgets.entry import Line
 from assistant.widgets.form import Form
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import go_to, settled, strike, until, work
@@ -34,6 +35,57 @@ async def test_an_arrow_comes_before_the_dialog_has_its_list(screen: Screen, key
         await until(pilot, lambda: isinstance(pilot.app.screen, (OpenDialog, SaveDialog)))
         await pilot.pause()
         assert pilot.app.is_running and pilot.app._exception is None
+
+
+ERASED = ("backspace",) * 17
+NAMED = (*"my4", "backspace", "3", "x", "backspace", "left", "left", "z", "backspace")
+TYPED = (  # what opens a place to type, from a field and from none, and what stands there after 17 backspaces and a name
+    ("f12", True, "my3.toml"),
+    ("ctrl+p", True, "my3"),
+    ("W", False, "my3.toml"),
+    ("E", False, "my3.dxf"),
+    ("C", False, "my3"),
+    ("ctrl+o", False, "my3"),
+    ("equals_sign down enter", False, "my3"),
+)
+
+
+@pytest.mark.parametrize(
+    ("gap", "count"), [(0.0, 2), *(pytest.param(gap, len(TYPED), marks=pytest.mark.slow) for gap in (0.0, 0.01))]
+)
+async def test_a_name_typed_over_another_one(screen: Screen, light: Session, gap: float, count: int) -> None:
+    """Keys as one burst, or at 10 ms each, right behind the one that opens the dialog: each comes in its order."""
+    async with screen() as pilot:
+        for opens, inside, stands in TYPED[:count]:
+            if inside:
+                await go_to(pilot, "engine.bore_mm")
+            else:
+                work(pilot).leave_pane()
+            if gap:
+                await asyncio.sleep(0.05)
+                for key in (*opens.split(), *ERASED, *NAMED):
+                    burst(pilot, key)
+                    await asyncio.sleep(gap)
+            else:
+                burst(pilot, *opens.split(), *ERASED, *NAMED)
+            await until(pilot, lambda: isinstance(pilot.app.focused, Line))
+            await pilot.pause()
+            asked = pilot.app.screen
+            typed = asked.query_one(Line).value
+            assert typed.endswith(stands) and (typed == stands or isinstance(asked, OpenDialog | CompareFile)), opens
+            while pilot.app.screen is not pilot.app.screen_stack[0]:
+                await strike(pilot, "escape")
+        assert light.value("engine.bore_mm") == 94.0
+        burst(pilot, "f12", *"my3", "enter")
+        await until(pilot, lambda: light.path == light.home.with_name("my3.toml"))
+        await strike(pilot, "f12")
+        await until(pilot, lambda: isinstance(pilot.app.screen, SaveDialog))
+        await strike(pilot, *"my4.toml", "enter")
+        await until(pilot, lambda: light.path == light.home.with_name("my4.toml"))
+        await strike(pilot, "f12")
+        await until(pilot, lambda: isinstance(pilot.app.screen, SaveDialog))
+        await strike(pilot, *ERASED, "delete", *["delete"] * 5, "enter")
+        assert "Give it a name." in str(pilot.app.screen.query_one("#wrong", Static).content)
 
 
 @pytest.mark.slow

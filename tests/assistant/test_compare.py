@@ -113,7 +113,7 @@ async def test_an_earlier_state_beside_the_present_one(screen: Screen, size: tup
         assert found == {("engine.crank_radius_mm", 53.5, 54.0), ("engine.bore_mm", 94.0, 95.0)}
         seen = text(pilot)
         assert "2 edits ago → now: the whole" in seen
-        await strike(pilot, "2")
+        await strike(pilot, "right")
         await pilot.pause()
         seen = text(pilot)
         assert (
@@ -139,12 +139,24 @@ async def test_sections_lines_and_copying(screen: Screen, monkeypatch: pytest.Mo
         await strike(pilot, "enter")
         shown = await opened(pilot)
         sections = []
-        for key in ("5", "h", "left", "2", "right", "l", "l", "l"):
+        for key in ("tab", "right", "h", "left", "left", "right", "l", "l", "l", "l"):
             await strike(pilot, key)
             sections.append(shown.section)
-        assert sections == ["Values", "Checks", "Verdicts", "Inputs", "Verdicts", "Checks", "Values", "Values"]
+        there = (
+            "Inputs",
+            "Verdicts",
+            "Inputs",
+            "Conclusion",
+            "Conclusion",
+            "Inputs",
+            "Verdicts",
+            "Checks",
+            "Values",
+            "Values",
+        )
+        assert tuple(sections) == there
         top = text(pilot).splitlines()[1]
-        assert "▸5 Values" in top and "2 Inputs 1 " in top
+        assert "▸Values" in top and "Inputs 1 " in top
         first = shown.key
         await strike(pilot, "j", "j", "k")
         assert shown.key != first and shown.id_here in text(pilot)
@@ -159,7 +171,7 @@ async def test_sections_lines_and_copying(screen: Screen, monkeypatch: pytest.Mo
         await strike(pilot, "end")
         assert shown.cursor == max(i for i, item in enumerate(shown.items) if item.key)
         assert shown._first[shown.cursor] < shown.scroll_y + shown.size.height
-        await strike(pilot, "2", "enter")
+        await strike(pilot, *["h"] * 3, "enter")
         await until(pilot, lambda: not isinstance(pilot.app.screen, CompareScreen))
         await settled(pilot)
         field = work(pilot).form.field
@@ -204,7 +216,7 @@ async def test_a_shipped_design_and_steps_that_are_not_asked(screen: Screen) -> 
         pilot.app.screen.query_one("#path", Input).value = str(DESIGNS / "timing_pair.toml")
         await strike(pilot, "enter")
         await opened(pilot)
-        await strike(pilot, "3")
+        await strike(pilot, "right", "right")
         await pilot.pause()
         assert "· not used" in text(pilot) and "5 steps change their verdict" in text(pilot)
 
@@ -217,7 +229,7 @@ async def test_an_unchanged_design_is_equal(screen: Screen) -> None:
         await strike(pilot, "enter")
         shown = await opened(pilot)
         assert shown.found is not None and shown.found.equal and "The two designs are equal" in text(pilot)
-        await strike(pilot, "l", "3", "j", "enter", "y")  # nothing to go to
+        await strike(pilot, "l", "l", "j", "enter", "y")  # nothing to go to
         assert isinstance(pilot.app.screen, CompareScreen) and "nothing to copy" in told(pilot)
 
 

@@ -77,18 +77,18 @@ async def test_the_front_is_sorted_narrowed_and_looked_at(screen: Screen, few: S
         await strike(pilot, "s")  # by mass
         masses = [shown.front.drives[n - 1].objectives["mass"] for n in order()]  # type: ignore[union-attr]
         assert masses == sorted(masses)
-        await strike(pilot, "less_than_sign")
+        await strike(pilot, "comma")
         assert shown.widest == 84.5 and len(order()) < len(masses)
-        await strike(pilot, "greater_than_sign")
+        await strike(pilot, "full_stop")
         assert shown.widest is None and len(order()) == len(masses)
         across = scatter.points.across
-        await strike(pilot, "x")
+        await strike(pilot, "X")
         assert scatter.points.across != across and scatter.points.across != scatter.points.up
         await strike(pilot, "equals_sign")
         await until(pilot, lambda: isinstance(pilot.app.screen, CompareScreen))
         await strike(pilot, "escape")
         await until(pilot, lambda: pilot.app.screen is shown)
-        await strike(pilot, "i")
+        await strike(pilot, "f1")
         assert any("follows from the largest journal" in row.plain for item in offers.items for row in item.rows)
         await strike(pilot, "escape")
         await until(pilot, lambda: not isinstance(pilot.app.screen, Driving))

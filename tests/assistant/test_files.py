@@ -130,12 +130,12 @@ async def test_only_what_can_not_be_kept_is_asked_about(screen: Screen) -> None:
         await strike(pilot, "ctrl+q")
         await pilot.pause()
         assert not isinstance(pilot.app.screen, Workbench)
-        await strike(pilot, "n")
+        await strike(pilot, "escape")
         await pilot.pause()
         assert isinstance(pilot.app.screen, Workbench)
         await strike(pilot, "ctrl+q")
         await pilot.pause()
-        await strike(pilot, "y")
+        await strike(pilot, "enter")
         await pilot.pause()
         assert pilot.app.return_code == 0
 

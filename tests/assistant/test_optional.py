@@ -222,6 +222,9 @@ async def test_enter_adds_an_absent_table_and_goes_on_from_a_present_one(screen:
         await settled(pilot)
         assert session.value(PLACE) == {"peak_bar": 90.0} and work(pilot).number == 1
         await to_heading(pilot)
+        await until(
+            pilot, lambda: "- takes it out" in (said := " ".join(rows(pilot).split())) and "adds it" not in said
+        )
         await strike(pilot, "enter")
         await settled(pilot)
         assert session.value(PLACE) == {"peak_bar": 90.0} and work(pilot).form.here() == (*PLACE, "peak_bar")

@@ -142,10 +142,10 @@ async def test_what_is_pasted_in_several_lines_fills_the_fields_one_after_the_ot
         assert work(pilot).session.value("engine.firing_order") == [1, 2, 3]
 
 
-async def test_k_locks_the_field_that_is_not_being_typed_into(screen: Screen) -> None:
+async def test_a_field_is_locked_by_its_key(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
-        await strike(pilot, "k")
+        await strike(pilot, "ctrl+l")
         await settled(pilot)
         assert work(pilot).session.lock_reason("engine.bore_mm") and "locked" in rows(pilot)
         assert work(pilot).session.value("engine.bore_mm") == 94.0

@@ -49,9 +49,11 @@ async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, 
     async with ContralberoApp(None, memory=memory).run_test(size=size) as pilot:
         await type_in(pilot, "6 v 60")  # in any order
         assert start(pilot).here is not None and start(pilot).here.id == "v6-60"  # type: ignore[union-attr]
+        said = screen_rows(pilot)[-1]
+        assert said.split("   ")[0].strip() == "Enter begins" and "Esc takes the words away" in said
         await strike(pilot, "enter")
         await until(pilot, lambda: bool(pilot.app.screen.query("#path")))
-        assert pilot.app.screen.query_one("#path", Input).value == str(tmp_path / "own-v6-60.toml")
+        assert pilot.app.screen.query_one("#path", Input).value == "own-v6-60.toml"
         await strike(pilot, "enter")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands)
         session = work(pilot).session
@@ -85,6 +87,7 @@ async def test_going_on_is_one_enter(memory: Memory, light: Session) -> None:
     light.edit("engine.bore_mm", "96")
     light.autosave()
     async with ContralberoApp(None, memory=memory).run_test(size=(80, 24)) as pilot:
+        assert screen_rows(pilot)[-1].startswith(" Enter opens it ") and "Esc ends" in screen_rows(pilot)[-1]
         await strike(pilot, "enter")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands)
         assert work(pilot).session.home == light.home and work(pilot).session.value("engine.bore_mm") == 96.0

@@ -151,7 +151,7 @@ async def walks(by: int, pilot: Pilot[int], do: Do) -> None:
         await still(pilot)
         assert f"Step {1 + by}, row 0" in text(pilot)
     for row in (1, 0):
-        await strike(pilot, "l")
+        await strike(pilot, "b")
         await still(pilot)
         assert f"Step {1 + by}, row {row}" in text(pilot) and work(pilot).pane == "curve"
     await strike(pilot, "b")
@@ -159,8 +159,6 @@ async def walks(by: int, pilot: Pilot[int], do: Do) -> None:
     assert f"Step {1 + by}, row 1" in text(pilot)
     pane.walked.clear()
     pane.show(pane.step, before)
-    await strike(pilot, "l")  # of a curve that is not walked: the next pane
-    await until(pilot, lambda: work(pilot).pane != "curve")
 
 
 DEEDS |= {"walk_on": partial(walks, 1), "walk_back": partial(walks, -1)}
