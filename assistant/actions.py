@@ -78,6 +78,9 @@ ACTIONS: tuple[Action, ...] = (
     Action("leave_out", "", "minus", EMPTY, Text("Leave the step out"),
            Text("In a step that the design does not have: asks why it does without it, in your words, which stand in "
                 "the report.")),
+    Action("build_all", "ctrl+g", "B", EMPTY, Text("Build all that is left"),
+           Text("Builds every step that is still to do by the rules, as one step of the undo, and shows what it came "
+                "to.")),
     Action("ready", "", "D", EMPTY, Text("Ready?"),
            Text("Shows the whole drive with its main numbers, what is assumed and accepted, and what is left to do.")),
     Action("not_counted", "", "i", EMPTY, Text("What is not counted"),

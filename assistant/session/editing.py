@@ -347,9 +347,9 @@ class Editing:
         self._step(EditState(data, self._state.texts), None)
         self.seal()
 
-    def plan(self, step: str, balancing: str = "") -> "BuildPlan":
-        """A step that the design does not have, or (`balancing`) crank and shaft of a balancing, built by the rules
-        behind `new`.
+    def plan(self, step: str, choice: str = "") -> "BuildPlan":
+        """A step that the design does not have, built by the rules behind `new`; `choice`: the balancing, with crank and
+        shaft, or the kind of the bearings.
 
         Changes nothing, and so may run in another thread; `take` puts it in.
         """
@@ -357,7 +357,7 @@ class Editing:
 
         document = self.document
         try:
-            data = built(document, step, balancing).data
+            data = built(document, step, choice).data
         except (BadInput, NoSolution) as error:
             return BuildPlan(document.data, document.data, text_of(error))
         if step == "countershaft" and data == document.data:
@@ -365,6 +365,14 @@ class Editing:
                 data, data, Text("the balancing that was chosen has no shaft; the step Imbalance offers others")
             )
         return BuildPlan(document.data, data)
+
+    def plan_all(self) -> "BuildPlan":
+        """All steps that are still to do, as far as the rules come; `why`: they do not come to the first."""
+        from calc.studies.starter.build import all_built
+
+        document = self.document
+        made, why = all_built(document)
+        return BuildPlan(document.data, made.data, why if made is document else EMPTY)
 
     def take(self, plan: "BuildPlan") -> Text:
         """Put in what was built, as one step of the undo.  Gives the reason why not, or nothing."""
@@ -374,9 +382,9 @@ class Editing:
             self._put(plan.data)
         return plan.why
 
-    def ask(self, step: str, balancing: str = "") -> Text:
+    def ask(self, step: str, choice: str = "") -> Text:
         """Build a step here and now.  Gives the reason why it can not be built, or nothing."""
-        return self.take(self.plan(step, balancing))
+        return self.take(self.plan(step, choice))
 
     def leave_out(self, step: str, reason: str) -> None:
         """Say that the design does without a step that it does not have."""

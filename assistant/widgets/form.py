@@ -233,10 +233,11 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     @dataclass
     class Asked(Message):
-        """A step that the design does not have is to be built, or (`balancing`) crank and shaft of a balancing."""
+        """A step that the design does not have is to be built; `choice`: the balancing, with crank and shaft, or the
+        kind of the bearings."""
 
         step: str
-        balancing: str = ""
+        choice: str = ""
 
     @dataclass
     class LeftOut(Message):
@@ -588,7 +589,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         elif event.key == Todo.LEAVE:
             self.post_message(self.LeftOut(self.step.key))
         else:
-            self.ask()
+            self.ask(event.key)
 
     # --- arrays
     def on_array_heading_leafed(self, event: ArrayHeading.Leafed) -> None:
@@ -598,7 +599,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self.chosen[event.heading.row.place] = event.index
         self.rebuild(event.heading.row.place)
 
-    def ask(self) -> None:
-        """Enter on the form of a step that the design does not have."""
+    def ask(self, key: str = Todo.BUILD) -> None:
+        """Enter on the form of a step that the design does not have, or on one of the ways to build it."""
         if not self._parts.there:
-            self.post_message(self.Asked(self.step.key))
+            self.post_message(self.Asked(self.step.key, "" if key == Todo.BUILD else key))
