@@ -23,11 +23,11 @@ from calc.locale import LANGUAGES, language
 from calc.sheet.check import Check
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Curve
-from calc.sheet.text import Text
-from calc.studies.shipped import engines
+from calc.sheet.text import Small, Text
 
 from ..actions import ACTIONS, key_name
 from ..base_app import BaseApp
+from ..session.beginnings import OWN, with_engines
 from ..session.guide import DOCUMENT, NAME, NOTE
 from ..widgets.text import fit, folded, match
 from .explain import Explain
@@ -170,13 +170,18 @@ def _curves(work: Workbench, add: Add) -> None:
 
 
 def _program(app: BaseApp, open: bool, add: Add) -> None:
-    for id, engine in engines().items():
-        title = Text("New from {engine}: {what}", engine=engine.name, what=engine.what)
+    for row in with_engines():
+        if row is OWN:
+            add(Text("New: own engine …"), row.about, partial(app.begin, engines=True), row.words, "engine motore")
+            continue
+        listed = Text("New from {engine}: {what}", engine=row.title, what=row.about)
+        title = Text("New: {engine}", engine=Small(row.title)) if row.kind == "own" else listed
         add(
             title,
             Text("Begins a design with this engine."),
-            partial(begin_with, app, id, engine.name),
-            id,
+            partial(begin_with, app, row),
+            row.id,
+            row.words,
             "engine motore",
         )
     for name in app.available_themes:

@@ -33,13 +33,14 @@ class Beginning:
     """One way to begin.  `id`: of an engine, or a path.  `about` and `size` stand beside the title, `edited` of a
     design that has unsaved edits."""
 
-    kind: Literal["file", "engine", "open", "example"]
+    kind: Literal["file", "engine", "own", "open", "example"]
     id: str
     title: Text | str
     about: Text | str = EMPTY
     size: Text = EMPTY
     edited: bool = False
     words: str = ""  # what else finds it
+    sought: bool = False  # it is listed only where words find it
 
     @property
     def key(self) -> str:
@@ -48,11 +49,7 @@ class Beginning:
 
 def groups(memory: Memory, missing: Path | None = None) -> list[tuple[Text, list[Beginning]]]:
     """All ways to begin, under their headings; for a file that is not there, those that make it."""
-    engine_rows = [
-        Beginning("engine", id, engine.name, engine.what, _size(engine_table(id)), words=_words(engine_table(id)))
-        for id, engine in engines().items()
-    ]
-    begin = (Text("Begin with an engine: every number of it can be replaced by your own"), engine_rows)
+    begin = (Text("Begin with an engine: every number of it can be replaced by your own"), with_engines())
     example = Beginning(
         "example", str(EXAMPLE), Text("The worked example"), Text("a published design that fails: see where, and why")
     )
@@ -62,6 +59,112 @@ def groups(memory: Memory, missing: Path | None = None) -> list[tuple[Text, list
     files = [Beginning("open", "", Text("Open a file …"), Text("a design that is there already")), example]
     sections = [(Text("Go on with"), designs[:1]), (Text("Recent"), designs[1:]), (Text("Open"), files), begin]
     return [(heading, rows) for heading, rows in sections if rows]
+
+
+# --- engines
+# Blank ones, of which nothing is known but how the cylinders stand and fire, and those that come with the program.
+
+OWN = Beginning(
+    "own",
+    "",
+    Text("Own engine"),
+    Text("blank: say layout and number (own 4, v 6)"),
+    words="own new blank diesel petrol gasoline mine",
+)
+# what says how the cylinders stand and fire, and is no engine's own number
+STANDS = tuple(
+    map(
+        dotted,
+        (
+            EngineInputs.layout,
+            EngineInputs.cylinders,
+            EngineInputs.strokes,
+            EngineInputs.bank_angle,
+            EngineInputs.bank_of_cylinder,
+            EngineInputs.firing_order,
+            EngineInputs.crank_angles,
+        ),
+    )
+)
+LAYOUTS = {  # what an engine is called, and how else: `{n}` is its number of cylinders, as a figure and in words
+    "inline": (Text("inline {n}"), "i{n} i {n} l{n} r{n} straight-{n} in-line parallel {n}"),
+    "vee": (Text("V{n}"), "vee v {n} v-{n}"),
+    "boxer": (Text("boxer {n}"), "flat {n} flat-{n} h{n} opposed"),
+    "w": (Text("W{n}"), "w {n}"),
+    "radial": (Text("radial {n}"), "star"),
+}
+NUMBERS = {
+    1: ("single", "thumper"),
+    2: ("twin", "two"),
+    3: ("triple", "three"),
+    4: ("four",),
+    5: ("five",),
+    6: ("six",),
+    8: ("eight",),
+    10: ("ten",),
+    12: ("twelve",),
+}
+# engines of which none is listed: the crank is to be filled in
+FURTHER = {"inline": range(1, 13), "vee": (2, 4, 6, 8, 10, 12, 16), "boxer": (2, 4, 6, 8), "w": (8, 12, 16),
+           "radial": (3, 5, 7, 9)}  # fmt: skip
+
+
+def with_engines() -> list[Beginning]:
+    """Own engines first, then those that come with the program."""
+    blank_rows = [
+        Beginning("own", id, _own_name(table), what, words=f"own blank {_words(table)}", sought=True)
+        for id, (what, table) in _blanks().items()
+    ]
+    listed = [
+        Beginning(
+            "engine", id, engine.name, engine.what, _size(table), words=f"{_words(table)} {_fuel(engine.kind)}"
+        )
+        for id, engine in engines().items()
+        for table in (engine_table(id),)
+    ]
+    return [OWN, *blank_rows, *listed]
+
+
+@cache
+def _blanks() -> "dict[str, tuple[Text, Table]]":
+    """What each blank engine is, and all that it has: how the cylinders of the listed ones stand and fire, and what no
+    listed one has."""
+    blanks: dict[str, tuple[Text, Table]] = {}
+    for id, engine in engines().items():
+        stands = {key: value for key, value in engine_table(id).items() if key in STANDS}
+        # of two alike the one that says no more than that
+        alike = next((other for other, (_, table) in blanks.items() if table == stands), None)
+        if alike is None or len(engine.what) < len(blanks[alike][0]):
+            blanks.pop(alike or "", None)
+            blanks[id] = engine.what, stands
+    there = {(table["layout"], table["cylinders"]) for _, table in blanks.values()}
+    for layout, numbers in FURTHER.items():
+        for n in (n for n in numbers if (layout, n) not in there):
+            blanks[f"{layout}-{n}"] = Text(LAYOUTS[layout][0].template, n=n), {"layout": layout, "cylinders": n, "strokes": 4}
+    return dict(sorted(blanks.items(), key=_order))
+
+
+def _order(blank: "tuple[str, tuple[Text, Table]]") -> tuple[int, int]:
+    """Inline engines first, each layout by its number of cylinders."""
+    table = blank[1][1]
+    return list(LAYOUTS).index(str(table["layout"])), int(table["cylinders"])
+
+
+def _own_name(engine: "Table") -> Text:
+    return Text("Own {engine}", engine=Text(LAYOUTS[str(engine["layout"])][0].template, n=engine["cylinders"]))
+
+
+def _words(engine: dict[str, Any]) -> str:
+    """What an engine is called beside its name."""
+    layout, n = engine["layout"], engine["cylinders"]
+    called, besides = LAYOUTS[layout]
+    names = " ".join(f"{called} {besides}".replace("{n}", str(number)) for number in (n, *NUMBERS.get(n, ())))
+    return f"{layout} {n} cylinders {names}"
+
+
+def _fuel(kind: str) -> str:
+    """What an engine of a kind burns, in words."""
+    return f"{kind} diesel" if "diesel" in kind else f"{kind} petrol gasoline"
 
 
 def _of_file(path: Path, memory: Memory) -> Beginning:
@@ -91,15 +194,16 @@ def _size(engine: dict[str, Any]) -> Text:
     return Text("{bore} × {stroke}", bore=Amount(bore, form="g"), stroke=Amount(stroke, "mm", form="g"))
 
 
-def _words(engine: dict[str, Any]) -> str:
-    """What an engine is called beside its name: any of them may become one's own, of either fuel."""
-    parallel = "parallel twin" if (engine["layout"], engine["cylinders"]) == ("inline", 2) else ""
-    return f"own new engine diesel petrol gasoline {engine['layout']} {engine['cylinders']} cylinders {parallel}"
-
-
 def own_file(id: str, folder: Path) -> Path:
-    """The name that a design of an engine is offered."""
-    return free_name(folder / f"own-{id}.toml")
+    """The name that a design of an engine is offered: that of its layout, never of another's engine."""
+    table = _blanks()[id][1] if id in _blanks() else engine_table(id)
+    name = id if id.startswith(tuple(LAYOUTS)) or id in _blanks() else f"{table['layout']}-{table['cylinders']}"
+    return free_name(folder / f"own-{name}.toml")
+
+
+def blank(id: str, path: Path) -> "Table":
+    """A design with nothing but a blank engine, whose numbers are all to be filled in."""
+    return {"schema": SCHEMA, "name": path.stem, "engine": {"name": path.stem, **_blanks()[id][1]}}
 
 
 def engine_only(id: str, path: Path) -> "Table":

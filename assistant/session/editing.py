@@ -24,7 +24,7 @@ from calc.design.addresses import (
     value_at,
 )
 from calc.design.locks import locked, toggled
-from calc.design.model import Design
+from calc.design.model import SCHEMA, Design
 from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
 from calc.sheet.quantity import Quantity, dotted
@@ -152,13 +152,20 @@ class BuildPlan:
 class Editing:
     """The fields of one design, and the way back through its edits.  Knows neither the disk nor the results."""
 
-    def __init__(self, raw: bytes, origin: Path) -> None:
+    def __init__(self, raw: bytes, origin: Path, *, blank: bool = False) -> None:
+        """`blank`: it may be no design yet, of which nothing is known then but its name.  Raises BadInput."""
         self.document: Document = parse(raw, str(origin))
-        self.design: Design = design(self.document)
         self.errors: tuple[InputError, ...] = ()
+        try:
+            self.design: Design = design(self.document)
+        except BadInput as bad:
+            if not blank:
+                raise
+            self.design = Design(schema=SCHEMA, name=str(self.document.data.get(NAME, "")))
+            self.errors = tuple(bad.errors)
         self.generation = 1
         self.history = History(EditState(self.document.data, {}))
-        self._valid: Table = self.document.data  # the last tables that were a valid design
+        self._valid: Table = self.document.data  # the last tables that were a valid design, or with which it began
         self.recording: Recording | None = None  # follows the edits, if it was asked for
         self.typed = set[Place]()  # where something was typed since the design was opened
 
@@ -206,6 +213,18 @@ class Editing:
             reasons.setdefault(error_place(self._state.data, error.key), error.reason)
         reasons.update({where: reason for where, (_, reason) in self._state.texts.items()})
         return reasons
+
+    def lacks(self, where: Place) -> bool:
+        """Whether a field that is not accepted is one to be filled in: nothing wrong was typed, and what is usual there
+        is known."""
+        about = described(where)
+        return about.usual is not None and where not in self.typed and not self.text(where)
+
+    @property
+    def lacking(self) -> list[Place]:
+        """All such fields, where nothing else is wrong; none where something is."""
+        places = list(self.reasons())
+        return places if all(map(self.lacks, places)) else []
 
     # --- editing
     def edit(self, key: str | Place, text: str) -> Text:

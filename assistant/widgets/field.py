@@ -62,6 +62,7 @@ class Field(Widget):
         self.session = session
         self.words = words or row.about.choices
         self.reason = EMPTY
+        self._lacks = False  # it is to be filled in
         self.default = default_of(row)
         self._looks: tuple[object, ...] = ()
         self._box = self._made()
@@ -145,6 +146,14 @@ class Field(Widget):
         chosen = self.about.optional and self.place[:1] not in (DOCUMENT, NOTE)
         return self.default or (AUTO if chosen else "" if self.row.required else self.app.say(Text("left out")))
 
+    def _usual(self) -> str:
+        """What is usual there, as short as an empty field can show it."""
+        low, high = self.about.usual or (0.0, 0.0)
+        long = self.app.say(Text("{low}–{high}", low=Amount(low), high=Amount(high)))
+        if len(long) < CELL or low % 1000 or high % 1000:
+            return long
+        return self.app.say(Text("{low}k–{high}k", low=Amount(low / 1000), high=Amount(high / 1000)))
+
     def compose(self) -> ComposeResult:
         yield self._box
 
@@ -206,15 +215,17 @@ class Field(Widget):
             else:
                 self.box.prompt = NOTHING if silent else self._chosen_by_program()
                 self.box.refresh()
-        changed = reason != self.reason
-        self.reason = reason
+        lacks = bool(reason) and self.session.lacks(self.place)
+        reason = EMPTY if lacks else reason
+        changed = (reason, lacks) != (self.reason, self._lacks)
+        self.reason, self._lacks = reason, lacks
         if not self.box.has_focus:
             self.box.show(self.text)
         if changed:
             self.set_class(bool(reason), "-invalid")
             if isinstance(self.box, Entry):  # what is missing is not chosen by the program
                 needed = "is missing" in reason or reason.startswith("needed")
-                self.box.placeholder = "" if needed else self._prompt()
+                self.box.placeholder = self._usual() if lacks else "" if needed else self._prompt()
             self.refresh(layout=True)
         self.redraw()
 

@@ -35,7 +35,7 @@ from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, Strok
 from .headings import ArrayHeading, Fold, ShaftsHeading, TableHeading
 from .item_list import Item, ItemList
 from .radio import Balance, Radio, Todo
-from .rows import Asked, FormRow, routed
+from .rows import RADIUS, Asked, FormRow, routed
 from .text import fit, wrap
 
 # --- at the head of a form
@@ -285,7 +285,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         reasons = self.session.reasons()
         field = self.field if self.is_mounted else None
         if field is None or not field.editing:
-            self.opened |= {n for place in reasons if (n := self._parts.fold(place)) is not None}
+            places = [place for place in reasons if place != RADIUS]  # which the stroke asks for
+            self.opened |= {n for place in places if (n := self._parts.fold(place)) is not None}
         editing = [field.place] if field is not None else []
         chosen = {**self.chosen, SHAFTS: self.session.shaft}
         return self._parts.rows(Asked(chosen, [*editing, *reasons], *self._sides), self.opened)
@@ -465,6 +466,10 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             return
         around = [place[:end] for end in range(len(place) - 1, 1, -1) if place[:end] in stops] if place else []
         fields = (stop for stop in self.stops() if not isinstance(stop, ArrayHeading))  # whose − takes an element out
+        if place is None and wanted is None:  # the first that is to be filled in, if one is
+            lacking = set(self.session.lacking)
+            first = (stop for stop in self.stops() if isinstance(stop.parent, Field) and stop.parent.place in lacking)
+            wanted = next(first, None)
         target = wanted or (stops[around[0]] if around else next(fields, self))
         if at_once:
             self.screen.set_focus(target)

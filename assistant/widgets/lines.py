@@ -15,14 +15,15 @@ from calc.design.key_results import judged
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.step import Outcome
-from calc.sheet.text import EMPTY, Amount, Text
+from calc.sheet.text import COMMA, EMPTY, Amount, Small, Text
 from calc.studies.ready import StepState
 
 from ..actions import ACTIONS, BY_ID, Action
 from ..base_app import BaseApp
 from ..session.guide import step_of, title_of
-from ..session.places import Place, label_of, named_key
+from ..session.places import Place, described, label_of, named_key
 from ..session.session import Session
+from .rows import RADIUS, TWICE
 from .steps import nothing_left, ready_words, states_of, verdict_of, whole_of
 from .text import fit, wrap
 
@@ -56,6 +57,9 @@ class MessageLine(Widget):
     def message(self) -> tuple[str, str]:
         """The state and the text."""
         session, say = self.session, self.app.say
+        if lacking := session.lacking:
+            labels = COMMA.join(map(self._label, sorted(lacking, key=_order)))
+            return "needs", say(Text("To fill in before anything is solved: {fields}.", fields=labels))
         if reasons := session.reasons():
             return "invalid", self._mistake(reasons)
         if session.failure:
@@ -69,7 +73,7 @@ class MessageLine(Widget):
         if chosen is not None:
             return judged(chosen), self._check(chosen)
         states = states_of(session)
-        ahead = _ahead(states, session.data)
+        ahead = _ahead(states, session.data, self.app.shown_key("build_all"))
         if ahead and outcome.verdict == "not_verified" and nothing_left(states, self.step):
             return "todo", say(ahead)
         if urgent := self._urgent_here(outcome) or self._urgent_anywhere(session.results):
@@ -77,6 +81,10 @@ class MessageLine(Widget):
         if ahead:
             return "todo", say(ahead)
         return whole_of(session).state, say(ready_words(session))
+
+    def _label(self, place: Place) -> Text:
+        """Of a field; the stroke stands there in place of the crank radius."""
+        return Small(TWICE.label) if place == RADIUS else label_of(self.session.data, named_key(self.session.data, place))
 
     def _mistake(self, reasons: Mapping[Place, Text]) -> str:
         """Why an input is not accepted: of this step, else of another one."""
@@ -160,12 +168,19 @@ class MessageLine(Widget):
         return Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)
 
 
-def _ahead(states: Sequence[StepState], data: Table) -> Text:
-    """The next step that is to do; empty where none is."""
-    todo = next((n for n, state in enumerate(states) if state.state == "todo"), None)
-    if todo is None:
+def _order(place: Place) -> int:
+    """Where a field stands in its form."""
+    return TWICE.decides if place == RADIUS else described(place).decides
+
+
+def _ahead(states: Sequence[StepState], data: Table, key: str) -> Text:
+    """The next step that is to do, and the key that builds all of them; empty where none is."""
+    todo = [n for n, state in enumerate(states) if state.state == "todo"]
+    if not todo:
         return EMPTY
-    return Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=title_of(STEPS[todo], data))
+    ahead = Text("Enter goes on: {n} {step} is to do.", n=todo[0] + 1, step=title_of(STEPS[todo[0]], data))
+    built = Text("{ahead} {key} builds all {count} that are left by rules.", ahead=ahead, key=key, count=len(todo))
+    return built if len(todo) > 1 else ahead
 
 
 # --- the first row
