@@ -90,7 +90,7 @@ BLANK = {
         "own 4",
         ("75", "90.5", "140", "320", "430", "", "5000", "84", "95"),
         # the pair of shafts that it calls for, then needles instead of what the rules take, then the rest
-        ("enter", "enter", "enter", "enter", "down", "down", "enter", "ctrl+g"),
+        ("enter", "enter", "enter", "down", "down", "enter", "ctrl+g"),
         80,
     ),
 }
