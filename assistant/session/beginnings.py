@@ -17,6 +17,7 @@ from calc.sheet.verdict import grouped
 from calc.studies.ready import limits_hold
 from calc.studies.shipped import EXAMPLE, engine_table, engines
 
+from .inherited import STANDS, begun_note
 from .recovery import Memory, is_file
 from .saving import free_name
 
@@ -70,21 +71,6 @@ OWN = Beginning(
     Text("Own engine"),
     Text("blank: say layout and number (own 4, v 6)"),
     words="own new blank diesel petrol gasoline mine",
-)
-# what says how the cylinders stand and fire, and is no engine's own number
-STANDS = tuple(
-    map(
-        dotted,
-        (
-            EngineInputs.layout,
-            EngineInputs.cylinders,
-            EngineInputs.strokes,
-            EngineInputs.bank_angle,
-            EngineInputs.bank_of_cylinder,
-            EngineInputs.firing_order,
-            EngineInputs.crank_angles,
-        ),
-    )
 )
 LAYOUTS = {  # what an engine is called, and how else: `{n}` is its number of cylinders, as a figure and in words
     "inline": (Text("inline {n}"), "i{n} i {n} l{n} r{n} straight-{n} in-line parallel {n}"),
@@ -208,21 +194,9 @@ def blank(id: str, path: Path) -> "Table":
 
 def engine_only(id: str, path: Path) -> "Table":
     """A design with nothing but an engine, both named like its file: its steps are built one by one, its numbers are
-    replaced."""
-    engine = engines()[id]
-    note = f"{_begun_with(engine.name)} {engine.what}. They are from: {engine.source}."
-    return {"schema": SCHEMA, "name": path.stem, "note": note, "engine": {**engine_table(id), "name": path.stem}}
-
-
-def _begun_with(name: str) -> str:
-    return f"Begun with the data of {name}:"
-
-
-@cache
-def sample(note: str) -> "tuple[str, Table]":
-    """The name and the table of the engine that a design began with, as its note says; empty where it says none."""
-    of = next((id for id, engine in engines().items() if note.startswith(_begun_with(engine.name))), None)
-    return ("", {}) if of is None else (engines()[of].name, engine_table(of))
+    replaced, and its note says which are not yet."""
+    engine = {**engine_table(id), "name": path.stem}
+    return {"schema": SCHEMA, "name": path.stem, "note": begun_note(id), "engine": engine}
 
 
 @dataclass(frozen=True)

@@ -31,6 +31,7 @@ from calc.sheet.quantity import Quantity, dotted
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 from . import numbers
+from .inherited import inherited, owned
 from .places import (
     NAME,
     OWN,
@@ -167,6 +168,7 @@ class Editing:
         self.history = History(EditState(self.document.data, {}))
         self._valid: Table = self.document.data  # the last tables that were a valid design, or with which it began
         self.recording: Recording | None = None  # follows the edits, if it was asked for
+        self.own_name = origin.stem  # of what is no longer another's
         self.typed = set[Place]()  # where something was typed since the design was opened
 
     # --- what is shown
@@ -225,6 +227,13 @@ class Editing:
         """All such fields, where nothing else is wrong; none where something is."""
         places = list(self.reasons())
         return places if all(map(self.lacks, places)) else []
+
+    @property
+    def inherited(self) -> tuple[str, tuple[Place, ...]]:
+        """The engine that the design began with, and which of its numbers are still there; not those that were typed
+        alike."""
+        name, places = inherited(self._state.data)
+        return name, tuple(place for place in places if place not in self.typed)
 
     # --- editing
     def edit(self, key: str | Place, text: str) -> Text:
@@ -434,6 +443,8 @@ class Editing:
 
     def _step(self, state: EditState, where: Place | None) -> None:
         before = self._state
+        data = owned(before.data, state.data, self.own_name)
+        state = state if data is state.data else replace(state, data=data)
         if self.history.go(state, where):
             if self.recording is not None and not self.history.joined:
                 self.recording.close()

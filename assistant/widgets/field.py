@@ -23,7 +23,6 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
-from ..session.beginnings import sample
 from ..session.guide import DOCUMENT, NAME, NOTE, idle
 from ..session.places import Place, key_at, original_of, owner
 from ..session.session import Session
@@ -105,11 +104,10 @@ class Field(Widget):
 
     def _sample(self) -> str:
         """The engine that the design began with, where this is still its number; empty where it is not."""
-        of_engine = self.place[:1] == RADIUS[:1] and self.about.kind == "number"
-        if not of_engine or self.place in self.session.typed or (content := self.content) is None:
+        if self.place[:1] != RADIUS[:1]:
             return ""
-        name, engine = sample(str(self.session.data.get(key_at(NOTE), "")))
-        return name if engine.get(key_at(self.place)) == content else ""
+        name, places = self.session.inherited
+        return name if self.place in places else ""
 
     def _made(self) -> Entry | Choice:
         text, optional = self.text, self.about.optional
@@ -265,8 +263,8 @@ class Field(Widget):
             return self.app.say(Text("locked")), "muted"
         if self._else() is not None:
             return self.app.say(Text("rules here")), "muted"
-        if self._sample():
-            return self.app.say(Text("sample")), "muted"
+        if engine := self._sample():
+            return self.app.say(Text("from {engine}", engine=Name(engine))), "sample"
         return "", ""
 
     def _label_width(self) -> int:
@@ -302,6 +300,10 @@ class Field(Widget):
         room = max(0, width - label - box - 4)
         unit = self.about.unit
         gap = " " if unit and note else ""
+        if state == "sample":  # as much of the name as there is room for
+            name = self._sample()
+            brief = self.app.say(Text("from {engine}", engine=Name(name.split()[0])))
+            note = next((one for one in (note, brief) if len(unit) + len(gap) + len(one) <= room), note)
         if len(unit) + len(gap) + len(note) > room:
             note = "" if state == "auto" else fit(note, max(0, room - len(unit) - len(gap)))
         first = Content.assemble(

@@ -23,11 +23,11 @@ from calc.locale.language import in_language
 from calc.sheet.errors import BadInput
 from calc.sheet.number import short
 from calc.sheet.step import Step
-from calc.sheet.text import COMMA, EMPTY, Name, Text
+from calc.sheet.text import COMMA, EMPTY, Name, Text, plural
 
 from ..base_app import BaseApp
 from ..session import numbers
-from ..session.guide import GUIDES, fold_at, taken_over
+from ..session.guide import FIRST, GUIDES, fold_at, taken_over
 from ..session.places import SHAFTS, Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
@@ -48,20 +48,28 @@ class GuideText(Static):
     def __init__(self, session: Session, step: str) -> None:
         super().__init__(classes="guide")
         self.session, self.step = session, step
-        self._shown: Text | None = None
+        self._shown: tuple[Text, Text] | None = None
         self._guiding = True
 
     def on_mount(self) -> None:
         self.redraw()
+
+    def _still(self) -> Text:
+        """How much is still of the engine that the design began with."""
+        engine, places = self.session.inherited
+        if self.step != FIRST or not places:
+            return EMPTY
+        return plural("{n} value is still {engine}'s", "{n} values are still {engine}'s", n=len(places), engine=engine)
 
     def redraw(self) -> None:
         say = self.app.say
         guide, results = GUIDES[self.step], self.session.results
         fails = results is not None and results.outcomes[self.step].verdict in ("fail", "no_solution")
         word, text = (Text("Try"), guide.trying) if fails else (Text("Good"), guide.good)
-        if word != self._shown or self.app.guiding != self._guiding:
-            self._shown, self._guiding = word, self.app.guiding
-            question = Content.styled(say(guide.question), "bold")
+        still = self._still()
+        if (word, still) != self._shown or self.app.guiding != self._guiding:
+            self._shown, self._guiding = (word, still), self.app.guiding
+            question = Content.assemble((say(guide.question), "bold"), (f"  {say(still)}" if still else "", "dim"))
             self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if self._guiding else question)
 
 
