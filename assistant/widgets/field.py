@@ -302,8 +302,10 @@ class Field(Widget):
         gap = " " if unit and note else ""
         if state == "sample":  # as much of the name as there is room for
             name = self._sample()
-            brief = self.app.say(Text("from {engine}", engine=Name(name.split()[0])))
-            note = next((one for one in (note, brief) if len(unit) + len(gap) + len(one) <= room), note)
+            maker = name.split()[0]
+            brief = self.app.say(Text("from {engine}", engine=Name(maker)))
+            briefer = f"{signs.mark('from')} {maker}"
+            note = next((one for one in (note, brief, briefer) if len(unit) + len(gap) + len(one) <= room), briefer)
         if len(unit) + len(gap) + len(note) > room:
             note = "" if state == "auto" else fit(note, max(0, room - len(unit) - len(gap)))
         first = Content.assemble(

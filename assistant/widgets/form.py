@@ -69,7 +69,7 @@ class GuideText(Static):
         still = self._still()
         if (word, still) != self._shown or self.app.guiding != self._guiding:
             self._shown, self._guiding = (word, still), self.app.guiding
-            question = Content.assemble((say(guide.question), "bold"), (f"  {say(still)}" if still else "", "dim"))
+            question = Content.assemble((say(guide.question), "bold"), (f"\n{say(still)}" if still else "", "dim"))
             self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if self._guiding else question)
 
 
