@@ -270,7 +270,7 @@ class Start(Screen[None]):
         )
         for heading, rows in self._groups:
             ranked = (
-                sorted(self._found(words, rows), key=lambda pair: -round(pair[0], 1))
+                sorted(self._found(words, rows), key=lambda pair: (pair[1].kind != "own", -round(pair[0], 1)))
                 if words
                 else [(0.0, row) for row in rows if not row.sought]
             )
@@ -288,7 +288,7 @@ class Start(Screen[None]):
             (
                 n
                 for n, row in enumerate(self._rows)
-                if row is not None and (words or not self.engines or row.kind == "engine")
+                if row is not None and (words or not self.engines or row.kind == "own")
             ),
             None,
         )

@@ -35,6 +35,12 @@ SAID = (
     r"Begun with the data of {name}: .*? They are from: .*?\.(?=\s|$)",
     r"An engine of its own, by .*?; all else of \[engine\] is that of the shipped {id}, to be replaced\.",
 )
+# what a source in the table of engines says that it is of
+MEASURES = {
+    "bore": dotted(EngineInputs.bore),
+    "stroke": dotted(EngineInputs.crank_radius),
+    "pitch": dotted(EngineInputs.cylinder_pitch),
+}
 WHOLE = r"{what}\. Data: {source}\."  # of a design of that engine itself
 
 
@@ -96,7 +102,14 @@ def _found(note: str, patterns: tuple[str, ...]) -> tuple[str, int, int] | None:
 
 def _sentence(id: str, places: tuple[Place, ...]) -> str:
     labels = ", ".join(str(label_of({ENGINE: _table(id)}, ".".join(map(str, place)))) for place in places)
-    return f"Still of {engines()[id].name}: {labels}. Their source: {engines()[id].source}."
+    sources = "; ".join(part for part in engines()[id].source.split("; ") if _is_of(part, places))
+    return f"Still of {engines()[id].name}: {labels}. Their source: {sources}."
+
+
+def _is_of(source: str, places: tuple[Place, ...]) -> bool:
+    """Whether one of these values has the source; "bore, stroke: …" names whose it is."""
+    named, of, _ = source.partition(": ")
+    return not of or any((ENGINE, MEASURES[word]) in places for word in named.split(", "))
 
 
 def _still(data: Table, id: str) -> tuple[Place, ...]:
