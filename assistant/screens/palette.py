@@ -88,7 +88,9 @@ def _actions(work: Workbench, add: Add) -> None:
             keys = " ".join(
                 map(work.app.say, map(key_name, (work.app.key_map.get(action.id) or action.binding).split(",")[:2]))
             )
-            does = partial(work.run_action, action.does)
+            does: Does = partial(work.run_action, action.does)
+            if action.call[:1] == ("to_step",):
+                does = partial(work.land, STEPS[action.call[1] - 1])
             add(
                 action.title,
                 action.help,

@@ -7,10 +7,11 @@ from typing import Any
 
 from textual.app import SuspendNotSupported
 
-from calc.design.addresses import asks, step_at
+from calc.design.addresses import as_table, asks, step_at
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput
+from calc.sheet.step import Step
 from calc.sheet.text import Text
 from calc.sheet.verdict import severity
 
@@ -47,17 +48,33 @@ NO_PIXELS = Text(
 class WorkbenchMoves(WorkbenchResults):
     # --- to a step, a field, a check, a line
     async def action_to_step(self, n: int) -> None:
-        await self.open_step(STEPS[n - 1])
+        await self._arrive(STEPS[n - 1])
 
-    async def action_turn_step(self, by: int) -> None:
+    async def _arrive(self, step: Step) -> None:
+        """Open a step; what is to be chosen in it stands under the cursor, where letters stay keys."""
+        idle = isinstance(self.focused, Form)
+        await self.open_step(step)
+        offered = not (asks(self.session.data, step.key) and self._done)
+        if idle and offered and isinstance(next(iter(self.form.stops()), None), Radio):
+            self.form.focus_place(None)
+
+    async def land(self, step: Step) -> None:
+        """Open a step that was asked for by its name, on its first choice or field, wherever the focus was."""
+        self.at_pane("inputs")
+        await self.open_step(step)
+        self.form.focus_place(None, at_once=True)
+
+    async def action_turn_step(self, by: int, offered: bool = True) -> None:
+        """To the step after or before; `offered`: also to one that the design may do without and has not."""
         self.app.forget(FIRST)
-        n, idle = self.number - 1 + by, isinstance(self.focused, Form)
-        while 0 <= n < len(STEPS) and STEPS[n].optional and not asks(self.session.data, STEPS[n].key):
-            n += by  # nobody is led into what the design does without
+        data, n = self.session.data, self.number - 1 + by
+        without = as_table(data.get("without"))
+        while 0 <= n < len(STEPS) and STEPS[n].optional and not asks(data, STEPS[n].key):
+            if offered and "engine" in data and STEPS[n].key not in without:
+                break
+            n += by
         if 0 <= n < len(STEPS):
-            await self.open_step(STEPS[n])
-            if idle and not self._done and isinstance(next(iter(self.form.stops()), None), Radio):
-                self.form.focus_place(None)  # what is to be chosen stands under the cursor; letters stay keys there
+            await self._arrive(STEPS[n])
         elif by > 0:
             self.action_ready()  # behind the last step
         else:
@@ -67,7 +84,7 @@ class WorkbenchMoves(WorkbenchResults):
         """The step after; where nothing is left to do in it, no field of it is edited, so that the next Enter leads on
         again."""
         before = self.step
-        await self.action_turn_step(1)
+        await self.action_turn_step(1, offered=False)  # Enter leads nobody into what the design does without
         if self.step is not before and self._done:
             self.set_focus(self.form, scroll_visible=False)
 
