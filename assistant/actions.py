@@ -182,6 +182,25 @@ ACTIONS: tuple[Action, ...] = (
 )  # fmt: skip
 
 BY_ID = {action.id: action for action in ACTIONS}
+# what else an action may be called; the palette finds it by that too
+CALLED = {
+    "fix": Text("mend repair improve solution"),
+    "choose": Text("optimize optimise catalogue candidates select search"),
+    "drive": Text("optimize optimise pareto cost price weight light cheap"),
+    "build_all": Text("automatic generate complete the rest by rules"),
+    "ready": Text("summary overview result finished done"),
+    "explain": Text("why formula derivation source"),
+    "report": Text("print paper document"),
+    "export": Text("drawing CAD DXF print"),
+    "compare": Text("difference versus"),
+    "curve": Text("graph diagram chart"),
+    "curves": Text("graph diagram chart"),
+    "new": Text("begin start create"),
+    "undo": Text("revert back"),
+    "accept": Text("waive"),
+    "help": Text("manual keys"),
+    "quit": Text("exit"),
+}
 OLD_IDS = {"mend": "fix"}  # names that key maps of earlier versions may have
 
 

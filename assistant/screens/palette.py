@@ -19,16 +19,17 @@ from textual.widgets.option_list import Option
 
 from calc.design.addresses import quantities, step_at, within
 from calc.design.model import STEPS, Design
+from calc.design.names import choice_word
 from calc.locale import LANGUAGES, language
 from calc.sheet.check import Check
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Curve
-from calc.sheet.text import Small, Text
+from calc.sheet.text import EMPTY, Text
 
-from ..actions import ACTIONS, key_name
+from ..actions import ACTIONS, CALLED, key_name
 from ..base_app import BaseApp
-from ..session.beginnings import OWN, with_engines
-from ..session.guide import DOCUMENT, NAME, NOTE
+from ..session.beginnings import OWN, OWN_WORDS, with_engines
+from ..session.guide import DOCUMENT, GUIDES, NAME, NOTE
 from ..widgets.text import fit, folded, match
 from .explain import Explain
 from .path_dialogs import begin_with
@@ -46,12 +47,13 @@ FOLDED = 0.8  # of a field that lies in a fold: what decides is found before it
 
 @dataclass(frozen=True)
 class PaletteEntry:
-    """`title` and `help` in the user's language; `also`: what else finds it; `keys`: those of an action; `first`: shown
-    before a word is typed."""
+    """`title` and `help` in the user's language; `called`: what it is called beside its title; `also`: what else finds
+    it; `keys`: those of an action; `first`: shown before a word is typed."""
 
     title: str
     help: str
     does: Does
+    called: str = ""
     also: str = ""
     keys: str = ""
     weight: float = OTHER
@@ -59,6 +61,11 @@ class PaletteEntry:
 
     def score(self, words: list[str]) -> tuple[float, list[tuple[int, int]]]:
         score, spans = match(words, self.title, self.also)
+        if self.called:
+            end = len(self.title)
+            named, all_spans = match(words, f"{self.title} {self.called}", self.also)
+            if named > score:
+                score, spans = named, [span for span in all_spans if span[1] <= end]
         return score * self.weight, spans
 
 
@@ -68,10 +75,18 @@ def entries(app: BaseApp, work: Workbench | None) -> list[PaletteEntry]:
     rows: list[PaletteEntry] = []
 
     def add(
-        title: Text, help: str, does: Does, *also: str, keys: str = "", weight: float = OTHER, first: bool = False
+        title: Text,
+        help: str,
+        does: Does,
+        *also: str,
+        called: Text = EMPTY,
+        keys: str = "",
+        weight: float = OTHER,
+        first: bool = False,
     ) -> None:
         known = folded(" ".join([*(other(title) for other in others), *also]))
-        rows.append(PaletteEntry(app.say(title), app.say(help), does, known, keys, weight, first))
+        words = folded(" ".join(say(called) for say in (app.say, *others))) if called else ""
+        rows.append(PaletteEntry(app.say(title), app.say(help), does, words, known, keys, weight, first))
 
     for part in (_actions, _designs, _fields, _results, _curves) if work is not None else ():
         part(work, add)  # type: ignore[arg-type]
@@ -89,14 +104,17 @@ def _actions(work: Workbench, add: Add) -> None:
                 map(work.app.say, map(key_name, (work.app.key_map.get(action.id) or action.binding).split(",")[:2]))
             )
             does: Does = partial(work.run_action, action.does)
+            called = CALLED.get(action.id, EMPTY)
             if action.call[:1] == ("to_step",):
-                does = partial(work.land, STEPS[action.call[1] - 1])
+                step = STEPS[action.call[1] - 1]
+                does, called = partial(work.land, step), GUIDES[step.key].words
             add(
                 action.title,
                 action.help,
                 does,
                 action.id.replace("_", " "),
                 action.help,
+                called=called,
                 keys=keys,
                 weight=ACTION,
                 first=True,
@@ -124,7 +142,8 @@ def _fields(work: Workbench, add: Add) -> None:
         in_step = ".".join([step_at(work.session.data, key), *within(key)])  # as schema 1 had it
         does = partial(work.to_field, work.session.place(key))
         weight = FIELD * FOLDED if about.fold and not about.decides else FIELD
-        add(title, about.help or about.allowed(), does, in_step, weight=weight)
+        choices = (f"{work.app.say(choice_word(choice))} {choice}" for choice in about.choices)
+        add(title, about.help or about.allowed(), does, in_step, *choices, weight=weight)
 
 
 def _of_design() -> Iterator[tuple[str, Quantity]]:
@@ -174,18 +193,13 @@ def _curves(work: Workbench, add: Add) -> None:
 def _program(app: BaseApp, open: bool, add: Add) -> None:
     for row in with_engines():
         if row is OWN:
-            add(Text("New: own engine …"), row.about, partial(app.begin, engines=True), row.words, "engine motore")
+            begin = partial(app.begin, engines=True)
+            add(Text("New: own engine …"), row.about, begin, called=OWN_WORDS, weight=ACTION)
             continue
         listed = Text("New from {engine}: {what}", engine=row.title, what=row.about)
-        title = Text("New: {engine}", engine=Small(row.title)) if row.kind == "own" else listed
-        add(
-            title,
-            Text("Begins a design with this engine."),
-            partial(begin_with, app, row),
-            row.id,
-            row.words,
-            "engine motore",
-        )
+        title = Text("New: own {what}", what=row.about) if row.kind == "own" else listed
+        found_by = (row.found_by(language(code)) for code in LANGUAGES)
+        add(title, Text("Begins a design with this engine."), partial(begin_with, app, row), *found_by, "engine motore")
     for name in app.available_themes:
         does = partial(setattr, app, "theme", name)
         add(

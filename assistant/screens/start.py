@@ -18,12 +18,14 @@ from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 from textual.worker import get_current_worker
 
+from calc.design.model import STEPS
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import EXAMPLE
 
 from ..base_app import TYPING, BaseApp
-from ..session.beginnings import OWN, Beginning, Finding, finding, groups
+from ..session.beginnings import OWN, OWN_WORDS, Beginning, Finding, finding, groups
+from ..session.guide import GUIDES
 from ..session.recovery import Memory
 from ..session.session import Session
 from ..widgets.text import fit, folded, match, pad, wrap
@@ -155,6 +157,9 @@ class BeginDetail(VerticalScroll, can_focus=False):
 NOTHING = Text(
     "Nothing is called so. An engine of your own is found by its layout and number: own 4, v 6, boxer 2, radial 5; a VR "
     "is a V of small bank angle."
+)
+IN_STEP = Text(
+    "That is for step {n} of a design, {step}: {question} Begin with an engine, or open a design; ^p finds it there."
 )
 SPACES = 3  # cells before a row
 TITLE, ABOUT, SIZE, SHAKES, BALANCING = 20, 31, 17, 38, 20  # cells of the columns; of what it is at least
@@ -294,7 +299,16 @@ class Start(Screen[None]):
         )
         self.ways.highlighted = self._rows.index(before) if stays else first
         if not options:
-            self.query_one(BeginDetail).tell(NOTHING)
+            self.query_one(BeginDetail).tell(self._nothing(words))
+
+    def _nothing(self, words: list[str]) -> Text:
+        """What to do where nothing is called so: what the words may mean is asked in a step of a design."""
+        say = self.app.say
+        for n, step in enumerate(STEPS, 1):
+            about = GUIDES[step.key].words
+            if match(words, folded(f"{say(step.title)} {say(about)} {about}"))[0]:
+                return Text(IN_STEP.template, n=n, step=step.title, question=GUIDES[step.key].question)
+        return NOTHING
 
     def _found(self, words: list[str], rows: list[Beginning]) -> list[tuple[float, Beginning]]:
         scored = [(score, row) for row in rows if (score := self._score(words, row))]
@@ -304,9 +318,9 @@ class Start(Screen[None]):
     def _score(self, words: list[str], row: Beginning) -> float:
         say = self.app.say
         if row.sought:  # a blank engine, whatever it is to burn
-            words = [word for word in words if word not in OWN.words.split() or folded(say(row.title)).startswith(word)]
-        others = folded(f"{say(row.about)} {row.about} {row.id} {row.words}")
-        return match(words, say(row.title), others)[0] if words else 0.0
+            any_engine = folded(f"{say(OWN_WORDS)} {OWN_WORDS}").split()
+            words = [word for word in words if word not in any_engine or folded(say(row.title)).startswith(word)]
+        return match(words, say(row.title), folded(row.found_by(say)))[0] if words else 0.0
 
     def _row(self, row: Beginning, width: int) -> Content:
         """In columns where there is room: title, what it is, size, what shakes and the balancing; what is left out

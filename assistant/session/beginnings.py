@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a session may begin with: the last design, an engine that comes with the program, a file, the worked example."""
 
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
@@ -8,14 +9,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from calc.design.model import SCHEMA
+from calc.design.names import choice_word
 from calc.design.toml_file import Document, design, read
 from calc.engine.inputs import EngineInputs
+from calc.locale import Language
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import dotted
 from calc.sheet.text import EMPTY, Amount, Text
 from calc.sheet.verdict import grouped
 from calc.studies.ready import limits_hold
-from calc.studies.shipped import EXAMPLE, engine_table, engines
+from calc.studies.shipped import EXAMPLE, ShippedEngine, engine_table, engines
 
 from .inherited import STANDS, begun_note
 from .recovery import Memory, is_file
@@ -40,8 +43,12 @@ class Beginning:
     about: Text | str = EMPTY
     size: Text = EMPTY
     edited: bool = False
-    words: str = ""  # what else finds it
+    words: tuple[Text | str, ...] = ()  # what else finds it
     sought: bool = False  # it is listed only where words find it
+
+    def found_by(self, say: Language) -> str:
+        """Words that find it beside its title, in a language and as they are written here."""
+        return " ".join([self.id, *(f"{say(words)} {words}" for words in (self.about, *self.words))])
 
     @property
     def key(self) -> str:
@@ -65,31 +72,26 @@ def groups(memory: Memory, missing: Path | None = None) -> list[tuple[Text, list
 # --- engines
 # Blank ones, of which nothing is known but how the cylinders stand and fire, and those that come with the program.
 
+OWN_WORDS = Text("own new blank mine diesel petrol gasoline")  # of any blank engine: it burns what one likes
 OWN = Beginning(
     "own",
     "",
     Text("Own engine"),
     Text("blank: say layout and number (own 4, v 6)"),
-    words="own new blank diesel petrol gasoline mine",
+    words=(OWN_WORDS,),
 )
 LAYOUTS = {  # what an engine is called, and how else: `{n}` is its number of cylinders, as a figure and in words
-    "inline": (Text("inline {n}"), "i{n} i {n} l{n} r{n} straight-{n} in-line parallel {n}"),
-    "vee": (Text("V{n}"), "vee v {n} v-{n}"),
-    "boxer": (Text("boxer {n}"), "flat {n} flat-{n} h{n} opposed"),
-    "w": (Text("W{n}"), "w {n}"),
-    "radial": (Text("radial {n}"), "star"),
+    "inline": (Text("inline {n}"), Text("i{n} i-{n} l{n} r{n} straight-{n} in-line in line parallel {n}")),
+    "vee": (Text("V{n}"), Text("vee v {n} v-{n}")),
+    "boxer": (Text("boxer {n}"), Text("flat {n} flat-{n} h{n} opposed")),
+    "w": (Text("W{n}"), Text("w {n} w-{n}")),
+    "radial": (Text("radial {n}"), Text("star {n}")),
 }
 NUMBERS = {
-    1: ("single", "thumper"),
-    2: ("twin", "two"),
-    3: ("triple", "three"),
-    4: ("four",),
-    5: ("five",),
-    6: ("six",),
-    8: ("eight",),
-    10: ("ten",),
-    12: ("twelve",),
-}
+    1: Text("single"), 2: Text("twin"), 3: Text("triple"), 4: Text("four"), 5: Text("five"), 6: Text("six"),
+    8: Text("eight"), 10: Text("ten"), 12: Text("twelve"),
+}  # fmt: skip
+ALSO = {2: Text("two"), 3: Text("three")}
 # engines of which none is listed: the crank is to be filled in
 FURTHER = {"inline": range(1, 13), "vee": (2, 4, 6, 8, 10, 12, 16), "boxer": (2, 4, 6, 8), "w": (8, 12, 16),
            "radial": (3, 5, 7, 9)}  # fmt: skip
@@ -98,13 +100,11 @@ FURTHER = {"inline": range(1, 13), "vee": (2, 4, 6, 8, 10, 12, 16), "boxer": (2,
 def with_engines() -> list[Beginning]:
     """Own engines first, then those that come with the program."""
     blank_rows = [
-        Beginning("own", id, _own_name(table), what, words=f"own blank {_words(table)}", sought=True)
+        Beginning("own", id, _own_name(table), what, words=(Text("own blank"), *_words(table)), sought=True)
         for id, (what, table) in _blanks().items()
     ]
     listed = [
-        Beginning(
-            "engine", id, engine.name, engine.what, _size(table), words=f"{_words(table)} {_fuel(engine.kind)}"
-        )
+        Beginning("engine", id, engine.name, engine.what, _size(table), words=(*_words(table), *_of_listed(engine)))
         for id, engine in engines().items()
         for table in (engine_table(id),)
     ]
@@ -140,17 +140,20 @@ def _own_name(engine: "Table") -> Text:
     return Text("Own {engine}", engine=Text(LAYOUTS[str(engine["layout"])][0].template, n=engine["cylinders"]))
 
 
-def _words(engine: dict[str, Any]) -> str:
+def _words(engine: "Table") -> Iterator[Text | str]:
     """What an engine is called beside its name."""
-    layout, n = engine["layout"], engine["cylinders"]
-    called, besides = LAYOUTS[layout]
-    names = " ".join(f"{called} {besides}".replace("{n}", str(number)) for number in (n, *NUMBERS.get(n, ())))
-    return f"{layout} {n} cylinders {names}"
+    layout, n = str(engine["layout"]), int(engine["cylinders"])
+    yield Text("{n} cylinders", n=n)
+    for number in filter(None, (n, NUMBERS.get(n), ALSO.get(n))):
+        yield from (Text(words.template, n=number) for words in LAYOUTS[layout])
 
 
-def _fuel(kind: str) -> str:
-    """What an engine of a kind burns, in words."""
-    return f"{kind} diesel" if "diesel" in kind else f"{kind} petrol gasoline"
+def _of_listed(engine: ShippedEngine) -> Iterator[Text | str]:
+    """What it burns, and on what its balance shafts run, in words."""
+    yield engine.kind
+    yield Text("diesel") if "diesel" in engine.kind else Text("petrol gasoline")
+    if rolling := [kind for kind in engine.bearings if kind != "plain"]:
+        yield from (choice_word("rolling"), *map(choice_word, rolling))
 
 
 def _of_file(path: Path, memory: Memory) -> Beginning:

@@ -216,6 +216,7 @@ FOUND = {  # by what is typed: the first row, and whether all are blank engines
     "L4": ("Own inline 4", False),
     "i3": ("Own inline 3", False),
     "parallel twin": ("Own inline 2", False),
+    "needle": ("Harley Twin Cam 88", False),
     "b38": ("BMW B38B15", False),
 }
 
@@ -234,6 +235,9 @@ async def test_words_that_a_designer_types_first_find_an_engine(memory: Memory) 
             assert not blank_only or all(row.sought for row in found)
             if typed in ("diesel", "petrol"):
                 assert 2 <= len(found) < len(engines())
+        for typed, step in {"rattle": 5, "vibration": 2, "comfort": 7}.items():  # no engine, but there is something
+            words.value = typed
+            await until(pilot, lambda: f"step {step} of a design" in "".join(screen_rows(pilot)))
         words.value = "new"  # from the row of all to one of them
         await pilot.pause()
         await strike(pilot, "enter")
