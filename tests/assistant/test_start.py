@@ -9,6 +9,7 @@ from textual.pilot import Pilot
 from textual.widgets import Input
 
 from assistant.app import ContralberoApp
+from assistant.screens.ready import Closing
 from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
 from assistant.session.beginnings import blank, engine_only, finding, with_engines
@@ -128,6 +129,12 @@ async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, 
         assert "values are still Alfa Romeo V6 2.5's" in rows(pilot)
         session.edit(bore.place, bore.text)  # it is theirs, too
         assert bore.note()[0] == ""
+        work(pilot).action_ready()  # where those are named that no form shows unasked
+        await until(pilot, lambda: bool(pilot.app.screen.query(Closing)) and bool(pilot.app.screen.query_one(Closing).items))
+        listed = " ".join(row.plain for item in pilot.app.screen.query_one(Closing).items for row in item.rows)
+        assert "values are still Alfa Romeo V6 2.5's" in listed and "rod mass" in listed
+        await strike(pilot, "escape")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
         assert not (tmp_path / "own-v6-60.toml").exists()  # before it is saved
         await strike(pilot, "ctrl+s")
         await until(pilot, lambda: not session.dirty)
