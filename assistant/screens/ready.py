@@ -137,7 +137,7 @@ class Closing(ItemList):
         engine, places = session.inherited
         labels = COMMA.join(label_of(session.data, named_key(session.data, place)) for place in places)
         title = plural("{n} value is still {engine}'s", "{n} values are still {engine}'s", n=len(places), engine=engine)
-        yield self._part(title, [(places[0][0], labels)] if places else [], width)
+        yield self._part(title, [(str(places[0][0]), labels)] if places else [], width)
         stays = list(remaining(session.results)) if session.results is not None else []
         yield self._part(Text("stays ({n})", n=len(stays)), stays, width)
         without = [

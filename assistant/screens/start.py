@@ -42,8 +42,8 @@ ABOUT_BEGINNING = {
         "written before you save, and then under a name of its own."
     ),
     "own": Text(
-        "Enter asks for a name. Then bore, stroke, rod, masses, speed and power are asked for, one after the other, with "
-        "what is usual; nothing comes from another engine."
+        "Enter asks for a name. Then bore, stroke, rod, masses, speed and power are asked for, one after the other, "
+        "with what is usual; nothing comes from another engine."
     ),
     "engine": Text(
         "Enter asks for a name. Then come balancing, shaft, bearings, gears and friction, one question at a time; "
@@ -155,8 +155,8 @@ class BeginDetail(VerticalScroll, can_focus=False):
 # --- the screen
 
 NOTHING = Text(
-    "Nothing is called so. An engine of your own is found by its layout and number: own 4, v 6, boxer 2, radial 5; a VR "
-    "is a V of small bank angle."
+    "Nothing is called so. An engine of your own is found by its layout and number: own 4, v 6, boxer 2, radial 5; a "
+    "VR is a V of small bank angle."
 )
 IN_STEP = Text(
     "That is for step {n} of a design, {step}: {question} Begin with an engine, or open a design; ^p finds it there."

@@ -126,14 +126,15 @@ def _blanks() -> "dict[str, tuple[Text, Table]]":
     there = {(table["layout"], table["cylinders"]) for _, table in blanks.values()}
     for layout, numbers in FURTHER.items():
         for n in (n for n in numbers if (layout, n) not in there):
-            blanks[f"{layout}-{n}"] = Text(LAYOUTS[layout][0].template, n=n), {"layout": layout, "cylinders": n, "strokes": 4}
+            table: Table = {"layout": layout, "cylinders": n, "strokes": 4}
+            blanks[f"{layout}-{n}"] = Text(LAYOUTS[layout][0].template, n=n), table
     return dict(sorted(blanks.items(), key=_order))
 
 
 def _order(blank: "tuple[str, tuple[Text, Table]]") -> tuple[int, int]:
     """Inline engines first, each layout by its number of cylinders."""
     table = blank[1][1]
-    return list(LAYOUTS).index(str(table["layout"])), int(table["cylinders"])
+    return list(LAYOUTS).index(str(table["layout"])), int(str(table["cylinders"]))
 
 
 def _own_name(engine: "Table") -> Text:
@@ -142,7 +143,7 @@ def _own_name(engine: "Table") -> Text:
 
 def _words(engine: "Table") -> Iterator[Text | str]:
     """What an engine is called beside its name."""
-    layout, n = str(engine["layout"]), int(engine["cylinders"])
+    layout, n = str(engine["layout"]), int(str(engine["cylinders"]))
     yield Text("{n} cylinders", n=n)
     for number in filter(None, (n, NUMBERS.get(n), ALSO.get(n))):
         yield from (Text(words.template, n=number) for words in LAYOUTS[layout])

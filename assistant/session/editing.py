@@ -377,8 +377,8 @@ class Editing:
         self.seal()
 
     def plan(self, step: str, choice: str = "") -> "BuildPlan":
-        """A step that the design does not have, built by the rules behind `new`; `choice`: the balancing, with crank and
-        shaft, or the kind of the bearings.
+        """A step that the design does not have, built by the rules behind `new`; `choice`: the balancing, with crank
+        and shaft, or the kind of the bearings.
 
         Changes nothing, and so may run in another thread; `take` puts it in.
         """

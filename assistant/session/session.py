@@ -116,8 +116,8 @@ class Session(Editing):
     def begin(
         cls, data: Table, path: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now
     ) -> "Session":
-        """A design that has no file before it is saved.  Raises BadInput where the tables are no design; an engine alone
-        may still have to be filled in."""
+        """A design that has no file before it is saved.  Raises BadInput where the tables are no design; an engine
+        alone may still have to be filled in."""
         blank = set(data) <= ALONE
         session = cls(fresh_text(data).encode("utf-8"), path, memory=memory, now=now, blank=blank)
         session._unwritten = True

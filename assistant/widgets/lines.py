@@ -84,7 +84,8 @@ class MessageLine(Widget):
 
     def _label(self, place: Place) -> Text:
         """Of a field; the stroke stands there in place of the crank radius."""
-        return Small(TWICE.label) if place == RADIUS else label_of(self.session.data, named_key(self.session.data, place))
+        data = self.session.data
+        return Small(TWICE.label) if place == RADIUS else label_of(data, named_key(data, place))
 
     def _mistake(self, reasons: Mapping[Place, Text]) -> str:
         """Why an input is not accepted: of this step, else of another one."""

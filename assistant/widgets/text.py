@@ -103,8 +103,8 @@ def match(words: Sequence[str], title: str, *others: str) -> tuple[float, list[t
 
 
 def _stands(word: str, text: str) -> bool:
-    """Whether a word is in a text that is not shown; a number or a letter only by itself: the 4 of four cylinders is not
-    that of a name."""
+    """Whether a word is in a text that is not shown; a number or a letter only by itself: the 4 of four cylinders is
+    not that of a name."""
     if word.isdecimal() or (len(word) == 1 and word.isalpha()):
         return re.search(rf"(?<![a-z0-9.]){word}(?![a-z0-9.])", text) is not None
     return word in text

@@ -47,7 +47,6 @@ async def test_words_of_the_trade_find_what_they_are_about(screen: Screen) -> No
 SIZES = [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)]
 
 
-
 @pytest.mark.parametrize("size", SIZES)
 async def test_a_step_that_is_asked_for_by_name_has_the_focus_on_what_is_to_be_done(
     screen: Screen, size: tuple[int, int]
@@ -60,7 +59,7 @@ async def test_a_step_that_is_asked_for_by_name_has_the_focus_on_what_is_to_be_d
             await until(pilot, lambda: isinstance(pilot.app.screen, Palette))
             await type_in(pilot, str(step.title).lower())
             await strike(pilot, "enter")
-            await until(pilot, lambda: pilot.app.screen is bench and bench.step is step)
+            await until(pilot, lambda step=step: pilot.app.screen is bench and bench.step is step)  # type: ignore[misc]
             await settled(pilot)
             assert bench.pane == "inputs" and bench.focused in bench.form.stops(), (step.key, before)
         assert isinstance(bench.focused, Todo), "mounting is offered"

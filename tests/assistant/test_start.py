@@ -59,11 +59,16 @@ def test_a_blank_engine_has_no_number_of_any_other(id: str, memory: Memory, tmp_
     assert set(session.data["engine"]) <= said | {"crank_angles_deg"}
     numbers = dict(bore="75", crank_radius="45.25", rod_length="140", piston_mass="320", rod_mass="430")
     for key, number in numbers.items():
-        assert session.lacks(place := session.place(f"engine.{key}_{'g' if 'mass' in key else 'mm'}"))
+        place = session.place(f"engine.{key}_{'g' if 'mass' in key else 'mm'}")
+        assert session.lacks(place)
         session.edit(place, number)
     session.edit("engine.rated_speed_rpm", "6000")
     session.edit("engine.cylinder_pitch_mm", "84")
-    assert {place[-1] for place in session.reasons()} <= {"crank_angles_deg", "bank_angle_deg", "cylinder_directions_deg"}
+    assert {place[-1] for place in session.reasons()} <= {
+        "crank_angles_deg",
+        "bank_angle_deg",
+        "cylinder_directions_deg",
+    }
     assert session.valid or not id.startswith("inline")
 
 
@@ -130,7 +135,9 @@ async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, 
         session.edit(bore.place, bore.text)  # it is theirs, too
         assert bore.note()[0] == ""
         work(pilot).action_ready()  # where those are named that no form shows unasked
-        await until(pilot, lambda: bool(pilot.app.screen.query(Closing)) and bool(pilot.app.screen.query_one(Closing).items))
+        await until(
+            pilot, lambda: bool(pilot.app.screen.query(Closing)) and bool(pilot.app.screen.query_one(Closing).items)
+        )
         listed = " ".join(row.plain for item in pilot.app.screen.query_one(Closing).items for row in item.rows)
         assert "values are still Alfa Romeo V6 2.5's" in listed and "rod mass" in listed
         await strike(pilot, "escape")
@@ -244,7 +251,8 @@ async def test_words_that_a_designer_types_first_find_an_engine(memory: Memory) 
                 assert 2 <= len(found) < len(engines())
         for typed, step in {"rattle": 5, "vibration": 2, "comfort": 7}.items():  # no engine, but there is something
             words.value = typed
-            await until(pilot, lambda: f"step {step} of a design" in "".join(screen_rows(pilot)))
+            said = f"step {step} of a design"
+            await until(pilot, lambda said=said: said in "".join(screen_rows(pilot)))  # type: ignore[misc]
         words.value = "new"  # from the row of all to one of them
         await pilot.pause()
         await strike(pilot, "enter")

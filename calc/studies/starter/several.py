@@ -4,8 +4,8 @@
 They lie in a module that is parted at their axes, so that nothing has to pass a seat: a journal is as thick as the
 core, and core and outer radius grow together until the bearings hold.  Shells of journals of one size are picked by
 classes; where shafts have different ones they lie as close by their fits.  A force at twice crank speed gets three
-plain bearings, one cylinder pitch apart, or two rolling ones, whose rings pass no sectors, half a pitch on either side of
-it; all else two."""
+plain bearings, one cylinder pitch apart, or two rolling ones, whose rings pass no sectors, half a pitch on either side
+of it; all else two."""
 
 import math
 from collections.abc import Iterator
