@@ -88,6 +88,9 @@ ACTIONS: tuple[Action, ...] = (
     Action("leave_out", "", "minus", EMPTY, Text("Leave the step out"),
            Text("In a step that the design does not have: asks why it does without it, in your words, which stand in "
                 "the report. On the heading of a list or of a part: takes it out.")),
+    Action("build_all", "ctrl+g", "B", EMPTY, Text("Build all that is left"),
+           Text("Builds every step that is still to do by the rules, as one step of the undo, and shows what it came "
+                "to.")),
     Action("ready", "", "D", EMPTY, Text("Ready?"),
            Text("Shows the whole drive with its main numbers, what is assumed and accepted, and what is left to do.")),
     Action("not_counted", "", "i", EMPTY, Text("What is not counted"),
@@ -204,6 +207,25 @@ ELSEWHERE: tuple[Action, ...] = (
 )  # fmt: skip
 
 BY_ID = {action.id: action for action in (*ACTIONS, *ELSEWHERE)}
+# what else an action may be called; the palette finds it by that too
+CALLED = {
+    "fix": Text("mend repair improve solution"),
+    "choose": Text("optimize optimise catalogue candidates select search"),
+    "drive": Text("optimize optimise pareto cost price weight light cheap"),
+    "build_all": Text("automatic generate complete the rest by rules"),
+    "ready": Text("summary overview result finished done"),
+    "explain": Text("why formula derivation source"),
+    "report": Text("print paper document"),
+    "export": Text("drawing CAD DXF print"),
+    "compare": Text("difference versus"),
+    "curve": Text("graph diagram chart"),
+    "curves": Text("graph diagram chart"),
+    "new": Text("begin start create"),
+    "undo": Text("revert back"),
+    "accept": Text("waive"),
+    "help": Text("manual keys"),
+    "quit": Text("exit"),
+}
 # in a list, a field, a picture or a text: what they move there, or take, or leave
 MOVING = {"up", "down", "left", "right", "home", "end", "pageup", "pagedown", "tab", "enter", "space", "escape"}
 MOVING |= {"backspace", "delete"}

@@ -19,16 +19,17 @@ from textual.widgets.option_list import Option
 
 from calc.design.addresses import quantities, step_at, within
 from calc.design.model import STEPS, Design
+from calc.design.names import choice_word
 from calc.locale import LANGUAGES, language
 from calc.sheet.check import Check
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Curve
-from calc.sheet.text import Text
-from calc.studies.shipped import engines
+from calc.sheet.text import EMPTY, Text
 
-from ..actions import ACTIONS, bound, key_names
+from ..actions import ACTIONS, CALLED, bound, key_names
 from ..base_app import BaseApp
-from ..session.guide import DOCUMENT, NAME, NOTE
+from ..session.beginnings import OWN, OWN_WORDS, with_engines
+from ..session.guide import DOCUMENT, GUIDES, NAME, NOTE
 from ..widgets.entry import Line
 from ..widgets.text import fit, folded, match
 from .explain import Explain
@@ -47,12 +48,13 @@ FOLDED = 0.8  # of a field that lies in a fold: what decides is found before it
 
 @dataclass(frozen=True)
 class PaletteEntry:
-    """`title` and `help` in the user's language; `also`: what else finds it; `keys`: those of an action; `first`: shown
-    before a word is typed."""
+    """`title` and `help` in the user's language; `called`: what it is called beside its title; `also`: what else finds
+    it; `keys`: those of an action; `first`: shown before a word is typed."""
 
     title: str
     help: str
     does: Does
+    called: str = ""
     also: str = ""
     keys: str = ""
     weight: float = OTHER
@@ -60,6 +62,11 @@ class PaletteEntry:
 
     def score(self, words: list[str]) -> tuple[float, list[tuple[int, int]]]:
         score, spans = match(words, self.title, self.also)
+        if self.called:
+            end = len(self.title)
+            named, all_spans = match(words, f"{self.title} {self.called}", self.also)
+            if named > score:
+                score, spans = named, [span for span in all_spans if span[1] <= end]
         return score * self.weight, spans
 
 
@@ -69,10 +76,18 @@ def entries(app: BaseApp, work: Workbench | None) -> list[PaletteEntry]:
     rows: list[PaletteEntry] = []
 
     def add(
-        title: Text, help: str, does: Does, *also: str, keys: str = "", weight: float = OTHER, first: bool = False
+        title: Text,
+        help: str,
+        does: Does,
+        *also: str,
+        called: Text = EMPTY,
+        keys: str = "",
+        weight: float = OTHER,
+        first: bool = False,
     ) -> None:
         known = folded(" ".join([*(other(title) for other in others), *also]))
-        rows.append(PaletteEntry(app.say(title), app.say(help), does, known, keys, weight, first))
+        words = folded(" ".join(say(called) for say in (app.say, *others))) if called else ""
+        rows.append(PaletteEntry(app.say(title), app.say(help), does, words, known, keys, weight, first))
 
     for part in (_actions, _designs, _fields, _results, _curves) if work is not None else ():
         part(work, add)  # type: ignore[arg-type]
@@ -87,13 +102,18 @@ def _actions(work: Workbench, add: Add) -> None:
     for action in ACTIONS:
         if action.id not in HIDDEN:
             keys = key_names(work.app.keys_of(action.id)[:2], work.app.say)
-            does = partial(work.run_action, action.does)
+            does: Does = partial(work.run_action, action.does)
+            called = CALLED.get(action.id, EMPTY)
+            if action.call[:1] == ("to_step",):
+                step = STEPS[action.call[1] - 1]
+                does, called = partial(work.land, step), GUIDES[step.key].words
             add(
                 action.title,
                 action.help,
                 does,
                 action.id.replace("_", " "),
                 action.help,
+                called=called,
                 keys=keys,
                 weight=ACTION,
                 first=True,
@@ -121,7 +141,8 @@ def _fields(work: Workbench, add: Add) -> None:
         in_step = ".".join([step_at(work.session.data, key), *within(key)])  # as schema 1 had it
         does = partial(work.to_field, work.session.place(key))
         weight = FIELD * FOLDED if about.fold and not about.decides else FIELD
-        add(title, about.help or about.allowed(), does, in_step, weight=weight)
+        choices = (f"{work.app.say(choice_word(choice))} {choice}" for choice in about.choices)
+        add(title, about.help or about.allowed(), does, in_step, *choices, weight=weight)
 
 
 def _of_design() -> Iterator[tuple[str, Quantity]]:
@@ -169,15 +190,15 @@ def _curves(work: Workbench, add: Add) -> None:
 
 
 def _program(app: BaseApp, open: bool, add: Add) -> None:
-    for id, engine in engines().items():
-        title = Text("New from {engine}: {what}", engine=engine.name, what=engine.what)
-        add(
-            title,
-            Text("Begins a design with this engine."),
-            partial(begin_with, app, id, engine.name),
-            id,
-            "engine motore",
-        )
+    for row in with_engines():
+        if row is OWN:
+            begin = partial(app.begin, engines=True)
+            add(Text("New: own engine …"), row.about, begin, called=OWN_WORDS, weight=ACTION)
+            continue
+        listed = Text("New from {engine}: {what}", engine=row.title, what=row.about)
+        title = Text("New: own {what}", what=row.about) if row.kind == "own" else listed
+        found_by = (row.found_by(language(code)) for code in LANGUAGES)
+        add(title, Text("Begins a design with this engine."), partial(begin_with, app, row), *found_by, "engine motore")
     for name in app.available_themes:
         does = partial(setattr, app, "theme", name)
         add(

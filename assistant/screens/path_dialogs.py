@@ -22,7 +22,7 @@ from calc.studies.shipped import designs, shipped_name
 
 from ..actions import bound
 from ..base_app import BaseApp
-from ..session.beginnings import engine_only, own_file
+from ..session.beginnings import Beginning, blank, engine_only, own_file
 from ..session.compare_with import Chosen, Other, kept, of_file, of_session, past
 from ..session.recovery import Memory
 from ..session.saving import free_name
@@ -444,9 +444,11 @@ class NewDialog(TargetDialog):
 
     HINT = Text("Enter begins, Esc goes back. Nothing is written before you save; what you do is kept all the same.")
 
-    def __init__(self, id: str, engine: str) -> None:
-        self.TITLE_TEXT = Text("A design with the engine {engine}: its name", engine=engine)
-        super().__init__(own_file(id, Path.cwd()))
+    def __init__(self, row: Beginning) -> None:
+        title = Text("A design with the engine {engine}: its name", engine=row.title)
+        own = Text("{engine}, every number of it yours: its name", engine=row.title)
+        self.TITLE_TEXT = own if row.kind == "own" else title
+        super().__init__(own_file(row.id, Path.cwd()))
 
     def wrong(self, path: Path) -> Text:
         return (
@@ -454,14 +456,15 @@ class NewDialog(TargetDialog):
         )
 
 
-def begin_with(app: BaseApp, id: str, engine: str, path: Path | None = None) -> None:
-    """Begin a design with a shipped engine; asks for its name where none is known yet."""
+def begin_with(app: BaseApp, row: Beginning, path: Path | None = None) -> None:
+    """Begin a design with a blank or a shipped engine; asks for its name where none is known yet."""
 
     def begin(path: Path | None) -> None:
         if path is not None:
-            app.call_later(app.enter, Session.begin(engine_only(id, path), path.absolute(), memory=app.memory))
+            data = blank(row.id, path) if row.kind == "own" else engine_only(row.id, path)
+            app.call_later(app.enter, Session.begin(data, path.absolute(), memory=app.memory))
 
     if path is not None:
         begin(path)
     else:
-        app.push_screen(NewDialog(id, engine), begin)
+        app.push_screen(NewDialog(row), begin)

@@ -27,7 +27,7 @@ from calc.studies.ready import OF_PROGRAM, SOLVED, StepState
 from ..actions import bound
 from ..base_app import BaseApp
 from ..session.guide import title_of
-from ..session.places import label_of
+from ..session.places import label_of, named_key
 from ..session.session import Session
 from ..widgets.canvas import draw
 from ..widgets.item_list import Item, ItemList
@@ -148,6 +148,10 @@ class Closing(ItemList):
         session = self.session
         outcomes = session.results.outcomes.values() if session.results is not None else ()
         checks = [check for outcome in outcomes for check in outcome.checks]
+        engine, places = session.inherited
+        labels = COMMA.join(label_of(session.data, named_key(session.data, place)) for place in places)
+        title = plural("{n} value is still {engine}'s", "{n} values are still {engine}'s", n=len(places), engine=engine)
+        yield self._part(title, [(str(places[0][0]), labels)] if places else [], width)
         stays = list(remaining(session.results)) if session.results is not None else []
         yield self._part(Text("stays ({n})", n=len(stays)), stays, width)
         without = [

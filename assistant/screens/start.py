@@ -6,7 +6,7 @@ Words that are typed find an engine or a design; Enter begins with the row under
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual import events
 from textual.app import ComposeResult
@@ -18,22 +18,20 @@ from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 from textual.worker import get_current_worker
 
+from calc.design.model import STEPS
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import EXAMPLE
 
 from ..actions import anywhere, bound
 from ..base_app import TYPING, BaseApp
-from ..session.beginnings import Beginning, Finding, finding, groups
+from ..session.beginnings import OWN, OWN_WORDS, Beginning, Finding, finding, groups
+from ..session.guide import GUIDES
 from ..session.recovery import Memory
 from ..session.session import Session
 from ..widgets.entry import Line
 from ..widgets.text import fit, folded, match, pad, wrap
 from .path_dialogs import OpenDialog, begin_with
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
 
 # --- about the way to begin that is under the cursor
 # What an engine shakes with, what a design comes to.  Found out in another thread.
@@ -45,12 +43,17 @@ ABOUT_BEGINNING = {
         "why. Nothing is "
         "written before you save, and then under a name of its own."
     ),
+    "own": Text(
+        "Enter asks for a name. Then bore, stroke, rod, masses, speed and power are asked for, one after the other, "
+        "with what is usual; nothing comes from another engine."
+    ),
     "engine": Text(
         "Enter asks for a name. Then come balancing, shaft, bearings, gears and friction, one question at a time; "
         "every number of the "
         "engine can be replaced by your own."
     ),
 }
+UNSOLVED = ("open", "own")  # of which nothing is found out before
 ICON = 15, 7  # cells of the sketch at most where it stands beside the text
 TALL = 32, 16  # and below it
 
@@ -72,7 +75,7 @@ class BeginDetail(VerticalScroll, can_focus=False):
         self._row = row
         self.scroll_home(animate=False)
         self._draw()
-        if row.key not in self._known and row.kind != "open":
+        if row.key not in self._known and row.kind not in UNSOLVED:
             self.run_worker(
                 lambda: self._find_out(row), thread=True, exclusive=True, exit_on_error=False, group="begin"
             )
@@ -112,7 +115,7 @@ class BeginDetail(VerticalScroll, can_focus=False):
         )
         if about and row.kind != "engine":
             lines += [*about, *gap]
-        if detail is None and row.kind != "open":
+        if detail is None and row.kind not in UNSOLVED:
             lines.append(Content(self.app.signs.mark("more")))
         for text in detail.lines if detail is not None else ():
             lines += [Content(line) for line in wrap(say(text), room, 2)]
@@ -154,9 +157,11 @@ class BeginDetail(VerticalScroll, can_focus=False):
 # --- the screen
 
 NOTHING = Text(
-    "Nothing is called so. For an engine of your own begin with one that has its layout, for a VR with a V, for a W or "
-    "a radial one with any: every number of it can be replaced, and the layout. "
-    "Words that find one: inline, parallel, V, boxer, twin, diesel, petrol, own."
+    "Nothing is called so. An engine of your own is found by its layout and number: own 4, v 6, boxer 2, radial 5; a "
+    "VR is a V of small bank angle."
+)
+IN_STEP = Text(
+    "That is for step {n} of a design, {step}: {question} Begin with an engine, or open a design; ^p finds it there."
 )
 ENTER = {  # what it does with a row, by its kind
     "open": Text("Enter asks for the file"),
@@ -212,7 +217,7 @@ class Start(Screen[None]):
             id="start-title",
         )
         yield Line(
-            placeholder=say(Text("type to find an engine or a design: inline 3, boxer, own …")),
+            placeholder=say(Text("type to find an engine or a design: own 4, boxer, V-twin …")),
             compact=True,
             id="words",
         )
@@ -290,9 +295,9 @@ class Start(Screen[None]):
         )
         for heading, rows in self._groups:
             ranked = (
-                sorted(self._found(words, rows), key=lambda pair: -round(pair[0], 1))
+                sorted(self._found(words, rows), key=lambda pair: (pair[1].kind != "own", -round(pair[0], 1)))
                 if words
-                else [(0.0, row) for row in rows]
+                else [(0.0, row) for row in rows if not row.sought]
             )
             if ranked:
                 if options and tall:
@@ -308,21 +313,35 @@ class Start(Screen[None]):
             (
                 n
                 for n, row in enumerate(self._rows)
-                if row is not None and (words or not self.engines or row.kind == "engine")
+                if row is not None and (words or not self.engines or row.kind == "own")
             ),
             None,
         )
         self.ways.highlighted = self._rows.index(before) if stays else first
         if not options:
-            self.query_one(BeginDetail).tell(NOTHING)
+            self.query_one(BeginDetail).tell(self._nothing(words))
         self.show_keys()
 
-    def _found(self, words: list[str], rows: list[Beginning]) -> "Iterator[tuple[float, Beginning]]":
+    def _nothing(self, words: list[str]) -> Text:
+        """What to do where nothing is called so: what the words may mean is asked in a step of a design."""
         say = self.app.say
-        for row in rows:
-            score, _ = match(words, row.title, folded(f"{say(row.about)} {row.about} {row.id} {row.words}"))
-            if score:
-                yield score, row
+        for n, step in enumerate(STEPS, 1):
+            about = GUIDES[step.key].words
+            if match(words, folded(f"{say(step.title)} {say(about)} {about}"))[0]:
+                return Text(IN_STEP.template, n=n, step=step.title, question=GUIDES[step.key].question)
+        return NOTHING
+
+    def _found(self, words: list[str], rows: list[Beginning]) -> list[tuple[float, Beginning]]:
+        scored = [(score, row) for row in rows if (score := self._score(words, row))]
+        which = any(row.sought for _, row in scored)  # one of those it is, then
+        return [(score, row) for score, row in scored if not (which and row is OWN)]
+
+    def _score(self, words: list[str], row: Beginning) -> float:
+        say = self.app.say
+        if row.sought:  # a blank engine, whatever it is to burn
+            any_engine = folded(f"{say(OWN_WORDS)} {OWN_WORDS}").split()
+            words = [word for word in words if word not in any_engine or folded(say(row.title)).startswith(word)]
+        return match(words, say(row.title), folded(row.found_by(say)))[0] if words else 0.0
 
     def _row(self, row: Beginning, width: int) -> Content:
         """In columns where there is room: title, what it is, size, what shakes and the balancing; what is left out
@@ -393,10 +412,18 @@ class Start(Screen[None]):
             return
         if row.kind == "open":
             self.action_open()
-        elif row.kind == "engine":
-            begin_with(self.app, row.id, self.app.say(row.title), self.missing)
+        elif row is OWN:
+            self._ask_which()
+        elif row.kind in ("engine", "own"):
+            begin_with(self.app, row, self.missing)
         else:
             self._open(EXAMPLE if row.kind == "example" else Path(row.id))
+
+    def _ask_which(self) -> None:
+        """The blank engines, from which words choose."""
+        words = self.query_one("#words", Input)
+        words.value = "own "
+        words.cursor_position = len(words.value)
 
     def action_open(self) -> None:
         self.app.push_screen(OpenDialog(self.memory, Path.cwd()), self._enter)

@@ -120,7 +120,7 @@ class Workbench(WorkbenchEdits):
     @on(Form.Asked)
     def step_asked_for(self, event: Form.Asked) -> None:
         event.stop()
-        self.build_step(event.step, event.balancing)
+        self.build_step(event.step, event.choice)
 
     @on(Form.LeftOut)
     def step_left_out(self, event: Form.LeftOut) -> None:

@@ -43,6 +43,8 @@ if TYPE_CHECKING:
     from calc.studies.repair.options import RepairOption
 
 BUILDING = Text("It is being built by the rules …")
+BUILDING_ALL = Text("All that is left is being built by the rules: up to half a minute …")
+FIRST_VALID = Text("First the input has to be valid.")
 ASK_UPGRADE = Text(
     "The file is written in schema 1, which has no words for what was changed.\n"
     "Save it in schema 2? Its comments stay, and the old file is kept as .bak."
@@ -230,7 +232,7 @@ class WorkbenchEdits(WorkbenchMoves):
             self.app.tell(Text("There is nothing to choose in this step; there is in {steps}.", steps=steps))
             return
         if not self.session.valid:
-            self.app.tell(Text("First the input has to be valid."), "warning")
+            self.app.tell(FIRST_VALID, "warning")
             return
         from .selection import Choosing
 
@@ -239,7 +241,7 @@ class WorkbenchEdits(WorkbenchMoves):
     def action_drive(self) -> None:
         """The front of whole drives."""
         if not self.session.valid:
-            self.app.tell(Text("First the input has to be valid."), "warning")
+            self.app.tell(FIRST_VALID, "warning")
             return
         from .drive import Driving
 
@@ -286,22 +288,33 @@ class WorkbenchEdits(WorkbenchMoves):
             )
 
     # --- a step that the design does not have: built by rules, or left out for a reason
-    def build_step(self, step: str, balancing: str) -> None:
-        """Build it, or the crank and shaft of a balancing, in another thread: that may take a second."""
+    def build_step(self, step: str, choice: str) -> None:
+        """Build it, with the balancing or the kind of bearings that was chosen, in another thread: that may take a
+        second."""
         self.app.tell(BUILDING)
-        self.in_thread("build", partial(self._build, self.session, step, balancing))
+        self.in_thread("build", partial(self._build, self.session, step, choice))
 
-    def _build(self, session: Session, step: str, balancing: str) -> None:
-        """Runs in another thread."""
+    def action_build_all(self) -> None:
+        """Build all that is still to do, in another thread, and show what it came to."""
+        if not self.session.valid:
+            self.app.tell(FIRST_VALID, "warning")
+        elif "engine" not in self.session.data:
+            self.app.tell(Text("Nothing can be built without an engine."), "warning")
+        else:
+            self.app.tell(BUILDING_ALL)
+            self.in_thread("build", partial(self._build, self.session, ""))
+
+    def _build(self, session: Session, step: str, choice: str = "") -> None:
+        """Runs in another thread; without a step, of all that are to do."""
         try:
-            plan = session.plan(step, balancing)
+            plan = session.plan(step, choice) if step else session.plan_all()
         except Exception as error:  # a mistake of the program must not take the user's work with it
             why = mistake(error)
             plan = BuildPlan({}, {}, why)
         self.call_later(self._built, session, step, plan)
 
     def _built(self, session: Session, step: str, plan: BuildPlan) -> None:
-        self.app.forget(BUILDING)
+        self.app.forget(BUILDING, BUILDING_ALL)
         if session is not self.session or not self.stands:
             return
         if why := plan.why or session.take(plan):
@@ -315,6 +328,17 @@ class WorkbenchEdits(WorkbenchMoves):
         # before the form is put in order, which would bring it back to a field
         self.set_focus(self.form, scroll_visible=False)
         self.edited()
+        if not step:
+            self.call_later(self._built_all)
+
+    async def _built_all(self) -> None:
+        """To the closing page, or to the first step that the rules could not build, which says why."""
+        todo = next((state.key for state in states_of(self.session) if state.state == "todo"), None)
+        if todo is None:
+            self.action_ready()
+        else:
+            await self.open_step(next(step for step in STEPS if step.key == todo))
+            self.app.tell(Text("The rules came no further than this step."), "warning")
 
     def action_leave_out(self) -> None:
         """Leave the step out that is shown."""

@@ -7,7 +7,7 @@ from typing import Any
 
 from textual.app import SuspendNotSupported
 
-from calc.design.addresses import asks, step_at
+from calc.design.addresses import as_table, asks, step_at
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput
@@ -49,24 +49,40 @@ NO_PIXELS = Text(
 class WorkbenchMoves(WorkbenchResults):
     # --- to a step, a field, a check, a line
     async def action_to_step(self, n: int) -> None:
-        await self.open_step(STEPS[n - 1])
+        await self._arrive(STEPS[n - 1])
 
-    async def action_turn_step(self, by: int) -> None:
+    async def _arrive(self, step: Step) -> None:
+        """Open a step; what is to be chosen in it stands under the cursor, where letters stay keys."""
+        idle = isinstance(self.focused, Form)
+        await self.open_step(step)
+        offered = not (asks(self.session.data, step.key) and self._done)
+        if idle and offered and isinstance(next(iter(self.form.stops()), None), Radio):
+            self.form.focus_place(None)
+
+    async def land(self, step: Step) -> None:
+        """Open a step that was asked for by its name, on its first choice or field, wherever the focus was."""
+        self.at_pane("inputs")
+        await self.open_step(step)
+        self.form.focus_place(None, at_once=True)
+
+    async def action_turn_step(self, by: int, offered: bool = True) -> None:
+        """To the step after or before; `offered`: also to one that the design may do without and has not."""
         self.app.forget(FIRST)
-        step, idle = self._beside(by), isinstance(self.focused, Form)
+        step = self._beside(by, offered)
         if step is not None:
-            await self.open_step(step)
-            if idle and not self._done and isinstance(next(iter(self.form.stops()), None), Radio):
-                self.form.focus_place(None)  # what is to be chosen stands under the cursor; letters stay keys there
+            await self._arrive(step)
         elif by > 0:
             self.action_ready()  # behind the last step
         else:
             self.app.tell(FIRST)
 
-    def _beside(self, by: int) -> Step | None:
-        """The step after, or before; none behind the last one."""
-        n = self.number - 1 + by
-        while 0 <= n < len(STEPS) and STEPS[n].optional and not asks(self.session.data, STEPS[n].key):
+    def _beside(self, by: int, offered: bool = False) -> Step | None:
+        """The step after, or before; none behind the last one.  `offered`: also one that the design may do without."""
+        data, n = self.session.data, self.number - 1 + by
+        without = as_table(data.get("without"))
+        while 0 <= n < len(STEPS) and STEPS[n].optional and not asks(data, STEPS[n].key):
+            if offered and "engine" in data and STEPS[n].key not in without:
+                break
             n += by  # nobody is led into what the design does without
         return STEPS[n] if 0 <= n < len(STEPS) else None
 
@@ -94,7 +110,7 @@ class WorkbenchMoves(WorkbenchResults):
         """The step after; where nothing is left to do in it, no field of it is edited, so that the next Enter leads on
         again."""
         before = self.step
-        await self.action_turn_step(1)
+        await self.action_turn_step(1, offered=False)  # Enter leads nobody into what the design does without
         if self.step is not before and self._done:
             self.set_focus(self.form, scroll_visible=False)
 

@@ -24,13 +24,14 @@ from calc.design.addresses import (
     value_at,
 )
 from calc.design.locks import locked, toggled
-from calc.design.model import Design
+from calc.design.model import SCHEMA, Design
 from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
 from calc.sheet.quantity import Quantity, dotted
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 from . import numbers
+from .inherited import inherited, owned
 from .places import (
     NAME,
     OWN,
@@ -152,14 +153,22 @@ class BuildPlan:
 class Editing:
     """The fields of one design, and the way back through its edits.  Knows neither the disk nor the results."""
 
-    def __init__(self, raw: bytes, origin: Path) -> None:
+    def __init__(self, raw: bytes, origin: Path, *, blank: bool = False) -> None:
+        """`blank`: it may be no design yet, of which nothing is known then but its name.  Raises BadInput."""
         self.document: Document = parse(raw, str(origin))
-        self.design: Design = design(self.document)
         self.errors: tuple[InputError, ...] = ()
+        try:
+            self.design: Design = design(self.document)
+        except BadInput as bad:
+            if not blank:
+                raise
+            self.design = Design(schema=SCHEMA, name=str(self.document.data.get(NAME, "")))
+            self.errors = tuple(bad.errors)
         self.generation = 1
         self.history = History(EditState(self.document.data, {}))
-        self._valid: Table = self.document.data  # the last tables that were a valid design
+        self._valid: Table = self.document.data  # the last tables that were a valid design, or with which it began
         self.recording: Recording | None = None  # follows the edits, if it was asked for
+        self.own_name = origin.stem  # of what is no longer another's
         self.decimal = "."  # sign of the user's language
         self.typed = set[Place]()  # where something was typed since the design was opened
 
@@ -207,6 +216,25 @@ class Editing:
             reasons.setdefault(error_place(self._state.data, error.key), error.reason)
         reasons.update({where: reason for where, (_, reason) in self._state.texts.items()})
         return reasons
+
+    def lacks(self, where: Place) -> bool:
+        """Whether a field that is not accepted is one to be filled in: nothing wrong was typed, and what is usual there
+        is known."""
+        about = described(where)
+        return about.usual is not None and where not in self.typed and not self.text(where)
+
+    @property
+    def lacking(self) -> list[Place]:
+        """All such fields, where nothing else is wrong; none where something is."""
+        places = list(self.reasons())
+        return places if all(map(self.lacks, places)) else []
+
+    @property
+    def inherited(self) -> tuple[str, tuple[Place, ...]]:
+        """The engine that the design began with, and which of its numbers are still there; not those that were typed
+        alike."""
+        name, places = inherited(self._state.data)
+        return name, tuple(place for place in places if place not in self.typed)
 
     # --- editing
     def edit(self, key: str | Place, text: str) -> Text:
@@ -348,9 +376,9 @@ class Editing:
         self._step(EditState(data, self._state.texts), None)
         self.seal()
 
-    def plan(self, step: str, balancing: str = "") -> "BuildPlan":
-        """A step that the design does not have, or (`balancing`) crank and shaft of a balancing, built by the rules
-        behind `new`.
+    def plan(self, step: str, choice: str = "") -> "BuildPlan":
+        """A step that the design does not have, built by the rules behind `new`; `choice`: the balancing, with crank
+        and shaft, or the kind of the bearings.
 
         Changes nothing, and so may run in another thread; `take` puts it in.
         """
@@ -358,7 +386,7 @@ class Editing:
 
         document = self.document
         try:
-            data = built(document, step, balancing).data
+            data = built(document, step, choice).data
         except (BadInput, NoSolution) as error:
             return BuildPlan(document.data, document.data, text_of(error))
         if step == "countershaft" and data == document.data:
@@ -366,6 +394,14 @@ class Editing:
                 data, data, Text("the balancing that was chosen has no shaft; the step Imbalance offers others")
             )
         return BuildPlan(document.data, data)
+
+    def plan_all(self) -> "BuildPlan":
+        """All steps that are still to do, as far as the rules come; `why`: they do not come to the first."""
+        from calc.studies.starter.build import all_built
+
+        document = self.document
+        made, why = all_built(document)
+        return BuildPlan(document.data, made.data, why if made is document else EMPTY)
 
     def take(self, plan: "BuildPlan") -> Text:
         """Put in what was built, as one step of the undo.  Gives the reason why not, or nothing."""
@@ -375,9 +411,9 @@ class Editing:
             self._put(plan.data)
         return plan.why
 
-    def ask(self, step: str, balancing: str = "") -> Text:
+    def ask(self, step: str, choice: str = "") -> Text:
         """Build a step here and now.  Gives the reason why it can not be built, or nothing."""
-        return self.take(self.plan(step, balancing))
+        return self.take(self.plan(step, choice))
 
     def leave_out(self, step: str, reason: str) -> None:
         """Say that the design does without a step that it does not have."""
@@ -408,6 +444,8 @@ class Editing:
 
     def _step(self, state: EditState, where: Place | None) -> None:
         before = self._state
+        data = owned(before.data, state.data, self.own_name)
+        state = state if data is state.data else replace(state, data=data)
         if self.history.go(state, where):
             if self.recording is not None and not self.history.joined:
                 self.recording.close()

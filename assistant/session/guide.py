@@ -111,13 +111,15 @@ def fold_at(step: str, place: Place, data: Table) -> int | None:
 @dataclass(frozen=True)
 class Guide:
     """The question of a step, what Enter makes of it where the design does not have it (`builds`), what is to be
-    decided, what a good answer looks like, and what to try when a check fails."""
+    decided, what a good answer looks like, what to try when a check fails, and what else one may call what it is about
+    (`words`)."""
 
     question: Text
     builds: Text
     decide: Text
     good: Text
     trying: Text
+    words: Text
 
 
 GUIDES: dict[str, Guide] = {
@@ -129,6 +131,7 @@ GUIDES: dict[str, Guide] = {
         Text(
             "Weigh instead of estimating. The firing order can be chosen from a table, the one that leaves least first."
         ),
+        Text("layout conrod connecting rod cylinders"),
     ),
     "imbalance": Guide(
         Text("Which balancing?"),
@@ -142,6 +145,7 @@ GUIDES: dict[str, Guide] = {
             "Second order is out of reach of one shaft: lighter pistons, a longer rod, two shafts at twice the speed, "
             "or good engine mounts."
         ),
+        Text("vibration vibrate shaking shake smooth inertia forces moments"),
     ),
     "countershaft": Guide(
         Text("Which shaft: given masses, or sized in an envelope?"),
@@ -159,6 +163,7 @@ GUIDES: dict[str, Guide] = {
             "Sectors further apart or further out save mass; a thicker core straightens the shaft. The lightest can "
             "be chosen from a table."
         ),
+        Text("balancer balance shaft lanchester eccentric"),
     ),
     "bearings": Guide(
         Text("Do the bearings carry, at every corner?"),
@@ -177,6 +182,7 @@ GUIDES: dict[str, Guide] = {
             "Plain: a tighter fit, more length, smoother surfaces. Rolling: another class or fit, an insert, the next "
             "size. A table has bearings of both kinds that pass."
         ),
+        Text("rolling needle roller ball plain journal sleeve bearing film"),
     ),
     "gears": Guide(
         Text("Which train turns it, without jamming?"),
@@ -191,6 +197,7 @@ GUIDES: dict[str, Guide] = {
             "Jamming: more span allowance. Undercut, pointed tips, uneven sliding: other profile shifts, from a table. "
             "Strength: face width."
         ),
+        Text("noise whine rattle knock hum jamming gearing train"),
     ),
     "friction": Guide(
         Text("What does it cost the crank?"),
@@ -204,6 +211,7 @@ GUIDES: dict[str, Guide] = {
             "A thinner or warmer oil costs less in the meshes and thins the films of the bearings: watch step 4 while "
             "you change it."
         ),
+        Text("losses efficiency watts drag consumption"),
     ),
     "mounting": Guide(
         Text("What does the driver feel?"),
@@ -214,6 +222,7 @@ GUIDES: dict[str, Guide] = {
             "the firing torque with it."
         ),
         Text("Softer mounts, other ratios, an inclination: the search for mounts finds those that decouple the modes."),
+        Text("vibration vibrate shaking shake noise comfort NVH harshness boom rubber engine mounts feel isolation"),
     ),
 }
 

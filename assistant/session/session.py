@@ -33,14 +33,23 @@ if TYPE_CHECKING:
     from calc.solve import Results
 
 
+ALONE = {"schema", "name", "note", "engine"}  # the keys of a design with nothing but an engine
+
+
 class Session(Editing):
     """One open design.  `path` is where it is saved to; None for the example, which gets a name of its own at the first
     save."""
 
     def __init__(
-        self, raw: bytes, origin: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now
+        self,
+        raw: bytes,
+        origin: Path,
+        *,
+        memory: Memory | None = None,
+        now: Callable[[], datetime] = datetime.now,
+        blank: bool = False,
     ) -> None:
-        super().__init__(raw, origin)
+        super().__init__(raw, origin, blank=blank)
         self.memory = memory or Memory()
         self.now = now
         self.origin = origin  # the file that was read
@@ -107,8 +116,10 @@ class Session(Editing):
     def begin(
         cls, data: Table, path: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now
     ) -> "Session":
-        """A design that has no file before it is saved.  Raises BadInput where the tables are no design."""
-        session = cls(fresh_text(data).encode("utf-8"), path, memory=memory, now=now)
+        """A design that has no file before it is saved.  Raises BadInput where the tables are no design; an engine
+        alone may still have to be filled in."""
+        blank = set(data) <= ALONE
+        session = cls(fresh_text(data).encode("utf-8"), path, memory=memory, now=now, blank=blank)
         session._unwritten = True
         session.memory.remember(path)
         return session

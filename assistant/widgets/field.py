@@ -23,7 +23,6 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
-from ..session.beginnings import sample
 from ..session.guide import DOCUMENT, NAME, NOTE, idle
 from ..session.places import Place, key_at, original_of, owner
 from ..session.session import Session
@@ -62,6 +61,7 @@ class Field(Widget):
         self.session = session
         self.words = words or row.about.choices
         self.reason = EMPTY
+        self._lacks = False  # it is to be filled in
         self.default = default_of(row, session.decimal)
         self._looks: tuple[object, ...] = ()
         self._box = self._made()
@@ -104,11 +104,10 @@ class Field(Widget):
 
     def _sample(self) -> str:
         """The engine that the design began with, where this is still its number; empty where it is not."""
-        of_engine = self.place[:1] == RADIUS[:1] and self.about.kind == "number"
-        if not of_engine or self.place in self.session.typed or (content := self.content) is None:
+        if self.place[:1] != RADIUS[:1]:
             return ""
-        name, engine = sample(str(self.session.data.get(key_at(NOTE), "")))
-        return name if engine.get(key_at(self.place)) == content else ""
+        name, places = self.session.inherited
+        return name if self.place in places else ""
 
     def _made(self) -> Entry | Choice:
         text, optional = self.text, self.about.optional
@@ -144,6 +143,14 @@ class Field(Widget):
         # nobody chooses what a title block says
         chosen = self.about.optional and self.place[:1] not in (DOCUMENT, NOTE)
         return self.default or (AUTO if chosen else "" if self.row.required else self.app.say(Text("left out")))
+
+    def _usual(self) -> str:
+        """What is usual there, as short as an empty field can show it."""
+        low, high = self.about.usual or (0.0, 0.0)
+        long = self.app.say(Text("{low}–{high}", low=Amount(low), high=Amount(high)))
+        if len(long) < CELL or low % 1000 or high % 1000:
+            return long
+        return self.app.say(Text("{low}k–{high}k", low=Amount(low / 1000), high=Amount(high / 1000)))
 
     def compose(self) -> ComposeResult:
         yield self._box
@@ -206,15 +213,17 @@ class Field(Widget):
             else:
                 self.box.prompt = NOTHING if silent else self._chosen_by_program()
                 self.box.refresh()
-        changed = reason != self.reason
-        self.reason = reason
+        lacks = bool(reason) and self.session.lacks(self.place)
+        reason = EMPTY if lacks else reason
+        changed = (reason, lacks) != (self.reason, self._lacks)
+        self.reason, self._lacks = reason, lacks
         if not self.box.has_focus:
             self.box.show(self.text)
         if changed:
             self.set_class(bool(reason), "-invalid")
             if isinstance(self.box, Entry):  # what is missing is not chosen by the program
                 needed = "is missing" in reason or reason.startswith("needed")
-                self.box.placeholder = "" if needed else self._prompt()
+                self.box.placeholder = self._usual() if lacks else "" if needed else self._prompt()
             self.refresh(layout=True)
         self.redraw()
 
@@ -254,8 +263,8 @@ class Field(Widget):
             return self.app.say(Text("locked")), "muted"
         if self._else() is not None:
             return self.app.say(Text("rules here")), "muted"
-        if self._sample():
-            return self.app.say(Text("sample")), "muted"
+        if engine := self._sample():
+            return self.app.say(Text("from {engine}", engine=Name(engine))), "sample"
         return "", ""
 
     def _label_width(self) -> int:
@@ -291,6 +300,12 @@ class Field(Widget):
         room = max(0, width - label - box - 4)
         unit = self.about.unit
         gap = " " if unit and note else ""
+        if state == "sample":  # as much of the name as there is room for
+            name = self._sample()
+            maker = name.split()[0]
+            brief = self.app.say(Text("from {engine}", engine=Name(maker)))
+            briefer = f"{signs.mark('from')} {maker}"
+            note = next((one for one in (note, brief, briefer) if len(unit) + len(gap) + len(one) <= room), briefer)
         if len(unit) + len(gap) + len(note) > room:
             note = "" if state == "auto" else fit(note, max(0, room - len(unit) - len(gap)))
         first = Content.assemble(

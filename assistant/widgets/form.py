@@ -23,11 +23,11 @@ from calc.locale.language import in_language
 from calc.sheet.errors import BadInput
 from calc.sheet.number import short
 from calc.sheet.step import Step
-from calc.sheet.text import COMMA, EMPTY, Name, Text
+from calc.sheet.text import COMMA, EMPTY, Name, Text, plural
 
 from ..base_app import BaseApp
 from ..session import numbers
-from ..session.guide import GUIDES, fold_at, taken_over
+from ..session.guide import FIRST, GUIDES, fold_at, taken_over
 from ..session.places import SHAFTS, Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
@@ -35,7 +35,7 @@ from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, Strok
 from .headings import ArrayHeading, Fold, ShaftsHeading, TableHeading
 from .item_list import Item, ItemList
 from .radio import Balance, Radio, Todo
-from .rows import Asked, FormRow, routed
+from .rows import RADIUS, Asked, FormRow, routed
 from .text import fit, wrap
 
 # --- at the head of a form
@@ -48,20 +48,28 @@ class GuideText(Static):
     def __init__(self, session: Session, step: str) -> None:
         super().__init__(classes="guide")
         self.session, self.step = session, step
-        self._shown: Text | None = None
+        self._shown: tuple[Text, Text] | None = None
         self._guiding = True
 
     def on_mount(self) -> None:
         self.redraw()
+
+    def _still(self) -> Text:
+        """How much is still of the engine that the design began with."""
+        engine, places = self.session.inherited
+        if self.step != FIRST or not places:
+            return EMPTY
+        return plural("{n} value is still {engine}'s", "{n} values are still {engine}'s", n=len(places), engine=engine)
 
     def redraw(self) -> None:
         say = self.app.say
         guide, results = GUIDES[self.step], self.session.results
         fails = results is not None and results.outcomes[self.step].verdict in ("fail", "no_solution")
         word, text = (Text("Try"), guide.trying) if fails else (Text("Good"), guide.good)
-        if word != self._shown or self.app.guiding != self._guiding:
-            self._shown, self._guiding = word, self.app.guiding
-            question = Content.styled(say(guide.question), "bold")
+        still = self._still()
+        if (word, still) != self._shown or self.app.guiding != self._guiding:
+            self._shown, self._guiding = (word, still), self.app.guiding
+            question = Content.assemble((say(guide.question), "bold"), (f"\n{say(still)}" if still else "", "dim"))
             self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if self._guiding else question)
 
 
@@ -233,10 +241,11 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     @dataclass
     class Asked(Message):
-        """A step that the design does not have is to be built, or (`balancing`) crank and shaft of a balancing."""
+        """A step that the design does not have is to be built; `choice`: the balancing, with crank and shaft, or the
+        kind of the bearings."""
 
         step: str
-        balancing: str = ""
+        choice: str = ""
 
     @dataclass
     class LeftOut(Message):
@@ -284,7 +293,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         reasons = self.session.reasons()
         field = self.field if self.is_mounted else None
         if field is None or not field.editing:
-            self.opened |= {n for place in reasons if (n := self._parts.fold(place)) is not None}
+            places = [place for place in reasons if place != RADIUS]  # which the stroke asks for
+            self.opened |= {n for place in places if (n := self._parts.fold(place)) is not None}
         editing = [field.place] if field is not None else []
         chosen = {**self.chosen, SHAFTS: self.session.shaft}
         return self._parts.rows(Asked(chosen, [*editing, *reasons], *self._sides), self.opened)
@@ -464,6 +474,10 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             return
         around = [place[:end] for end in range(len(place) - 1, 1, -1) if place[:end] in stops] if place else []
         fields = (stop for stop in self.stops() if not isinstance(stop, ArrayHeading))  # whose − takes an element out
+        if place is None and wanted is None:  # the first that is to be filled in, if one is
+            lacking = set(self.session.lacking)
+            first = (stop for stop in self.stops() if isinstance(stop.parent, Field) and stop.parent.place in lacking)
+            wanted = next(first, None)
         target = wanted or (stops[around[0]] if around else next(fields, self))
         if at_once:
             self.screen.set_focus(target)
@@ -589,7 +603,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         elif event.key == Todo.LEAVE:
             self.post_message(self.LeftOut(self.step.key))
         else:
-            self.ask()
+            self.ask(event.key)
 
     # --- arrays
     def on_array_heading_leafed(self, event: ArrayHeading.Leafed) -> None:
@@ -599,7 +613,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self.chosen[event.heading.row.place] = event.index
         self.rebuild(event.heading.row.place)
 
-    def ask(self) -> None:
-        """Enter on the form of a step that the design does not have."""
+    def ask(self, key: str = Todo.BUILD) -> None:
+        """Enter on the form of a step that the design does not have, or on one of the ways to build it."""
         if not self._parts.there:
-            self.post_message(self.Asked(self.step.key))
+            self.post_message(self.Asked(self.step.key, "" if key == Todo.BUILD else key))

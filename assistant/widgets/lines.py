@@ -14,14 +14,15 @@ from calc.design.key_results import judged
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.step import Outcome
-from calc.sheet.text import EMPTY, Amount, Text
+from calc.sheet.text import COMMA, EMPTY, Amount, Small, Text
 from calc.studies.ready import StepState
 
 from ..actions import ACTIONS, BY_ID, Action
 from ..base_app import BaseApp
 from ..session.guide import step_of, title_of
-from ..session.places import Place, label_of, named_key
+from ..session.places import Place, described, label_of, named_key
 from ..session.session import Session
+from .rows import RADIUS, TWICE
 from .steps import nothing_left, ready_words, states_of, verdict_of, whole_of
 from .text import fit, wrap
 
@@ -56,6 +57,9 @@ class MessageLine(Widget):
     def message(self) -> tuple[str, str]:
         """The state and the text."""
         session, say = self.session, self.app.say
+        if lacking := session.lacking:
+            labels = COMMA.join(map(self._label, sorted(lacking, key=_order)))
+            return "needs", say(Text("To fill in before anything is solved: {fields}.", fields=labels))
         if reasons := session.reasons():
             return "invalid", self._mistake(reasons)
         if session.failure:
@@ -77,6 +81,11 @@ class MessageLine(Widget):
         if ahead:
             return "todo", say(ahead)
         return whole_of(session).state, say(ready_words(session))
+
+    def _label(self, place: Place) -> Text:
+        """Of a field; the stroke stands there in place of the crank radius."""
+        data = self.session.data
+        return Small(TWICE.label) if place == RADIUS else label_of(data, named_key(data, place))
 
     def _mistake(self, reasons: Mapping[Place, Text]) -> str:
         """Why an input is not accepted: of this step, else of another one."""
@@ -121,17 +130,23 @@ class MessageLine(Widget):
         return next((f"{n} {self.app.say(title_of(s, data))}: " for n, s in enumerate(STEPS, 1) if s.key == key), "")
 
     def _ahead(self, states: Sequence[StepState]) -> Text:
-        """The next step that is to do, with the key that leads there now; empty where none is."""
-        n = next((n for n, state in enumerate(states, 1) if state.state == "todo"), None)
-        if n is None:
+        """The next step that is to do, with the key that leads there now, and the one that builds all of them; empty
+        where none is."""
+        todo = [n for n, state in enumerate(states, 1) if state.state == "todo"]
+        if not todo:
             return EMPTY
-        step = STEPS[n - 1]
-        parts = {"n": n, "step": title_of(step, self.session.data)}
+        step = STEPS[todo[0] - 1]
+        parts = {"n": todo[0], "step": title_of(step, self.session.data)}
         by_enter = self.enter() == step.key
         if not by_enter and step.key == self.step:
-            return Text("{n} {step} is to do.", **parts)
-        key = self.app.shown_key("go_on" if by_enter else f"step_{n}")
-        return Text("{key} goes on: {n} {step} is to do.", key=key, **parts)
+            ahead = Text("{n} {step} is to do.", **parts)
+        else:
+            key = self.app.shown_key("go_on" if by_enter else f"step_{todo[0]}")
+            ahead = Text("{key} goes on: {n} {step} is to do.", key=key, **parts)
+        if len(todo) == 1:
+            return ahead
+        key = self.app.shown_key("build_all")
+        return Text("{ahead} {key} builds all {count} that are left by rules.", ahead=ahead, key=key, count=len(todo))
 
     def _check(self, check: Check) -> str:
         soft = check.kind in ("advice", "method")
@@ -171,6 +186,11 @@ class MessageLine(Widget):
         mark = signs.mark(state)
         lines = [f" {mark} {rows[0]}", *(f"   {row}" for row in rows[1:ROWS])]
         return Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)
+
+
+def _order(place: Place) -> int:
+    """Where a field stands in its form."""
+    return TWICE.decides if place == RADIUS else described(place).decides
 
 
 # --- the first row

@@ -22,6 +22,12 @@ if TYPE_CHECKING:
     from calc.studies.starter.balancing import Balancing
 
 LABEL = 22  # cells
+WAYS = {  # of a step: what its rules may be told to take, one of `KINDS` of `calc/studies/starter/build.py`
+    "bearings": {
+        "rolling": Text("on rolling bearings: a ball bearing beside the wheel, rollers behind it"),
+        "needle": Text("on needle bearings"),
+    }
+}
 
 
 class Radio(ItemList, inherit_bindings=False):
@@ -48,7 +54,7 @@ class Radio(ItemList, inherit_bindings=False):
 
 
 class Todo(Radio):
-    """Of a step that the design does not have: it is built by rules, or left out."""
+    """Of a step that the design does not have: it is built by rules, in one of some ways, or left out."""
 
     BUILD, LEAVE = "build", "leave"
 
@@ -61,6 +67,7 @@ class Todo(Radio):
         say = self.app.say
         without = self.session.data.get("without", {})
         reason = without.get(self.step, "") if isinstance(without, dict) else ""
+        more: list[Item] = []
         if hindered := hindrance(self.session.document, self.step):
             words = say(Text("not built by rules: {why}", why=hindered))
             rows = [Content.styled(row, "dim") for row in wrap(f"    {words}", width - 1, 4)]
@@ -69,8 +76,9 @@ class Todo(Radio):
             )  # under the cursor at first, as what leaves the step out never is
         else:
             first = self._offer(self.BUILD, say(GUIDES[self.step].builds), False, width)
+            more = [self._offer(kind, say(words), False, width) for kind, words in WAYS.get(self.step, {}).items()]
         leave = say(Text("leave it out"))
-        return [first, self._offer(self.LEAVE, f"{leave}: {reason}" if reason else leave, bool(reason), width)]
+        return [first, *more, self._offer(self.LEAVE, f"{leave}: {reason}" if reason else leave, bool(reason), width)]
 
     def _offer(self, key: str, words: str, on: bool, width: int) -> Item:
         rows = wrap(self.button(on) + words, width - 1, 4)

@@ -17,7 +17,7 @@ from calc.design.addresses import Table, as_list, as_table, keys_of, own_keys
 from calc.design.model import Design
 from calc.engine.inputs import EngineInputs
 from calc.locale import Language
-from calc.sheet.quantity import Quantity, dotted, keys
+from calc.sheet.quantity import THUMB, Quantity, dotted, keys
 from calc.sheet.step import Step
 from calc.sheet.text import Amount, Text
 
@@ -46,9 +46,17 @@ ROWS = dotted(ShaftInputs.bearings)
 BEARING_NAME = dotted(BearingRow.name)
 COLUMNS = {"front": Text("Front bearing"), "rear": Text("Rear bearing")}
 RADIUS: Place = (FIRST, dotted(EngineInputs.crank_radius))
-TWICE = Quantity(
-    "number", Text("Stroke"), "mm", above=0, decides=2, help=Text("Twice the crank radius, which the design file has.")
-)  # in no file
+_RADII = keys(EngineInputs)[dotted(EngineInputs.crank_radius)].about.usual or (0.0, 0.0)
+TWICE = Quantity(  # in no file
+    "number",
+    Text("Stroke"),
+    "mm",
+    above=0,
+    decides=2,
+    usual=(2 * _RADII[0], 2 * _RADII[1]),
+    source=THUMB,
+    help=Text("Twice the crank radius, which the design file has."),
+)
 
 
 @dataclass(frozen=True)

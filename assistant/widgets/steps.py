@@ -10,7 +10,7 @@ from textual.style import Style
 from textual.widget import Widget
 
 from calc.design.model import STEPS
-from calc.sheet.text import EMPTY, SEMICOLON, Text
+from calc.sheet.text import EMPTY, SEMICOLON, Text, plural
 from calc.studies.ready import SOLVED, Readiness, StepState, readiness, whole
 
 from ..actions import BY_ID
@@ -41,6 +41,8 @@ def whole_of(session: Session) -> Readiness:
 def verdict_of(session: Session) -> tuple[str, str, Text]:
     """The state of a design under edit, the state whose colour it has, and the words for it: none before it is solved.
     Results of an earlier input say nothing of this one."""
+    if lacking := session.lacking:
+        return "needs", "needs", plural("{n} input to fill in", "{n} inputs to fill in", n=len(lacking))
     if not session.valid:
         return "invalid", "invalid", Text("input is not valid")
     if session.failure:

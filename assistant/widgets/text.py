@@ -89,8 +89,8 @@ def match(words: Sequence[str], title: str, *others: str) -> tuple[float, list[t
     plain = folded(title)
     total, spans = 0.0, []
     for word in words:
-        at = _place(word, plain) if not (word.isdecimal() and len(word) == 1) or _stands(word, plain) else None
-        if at is not None:
+        at = _place(word, plain) if len(word) > 1 or word.isalpha() or _stands(word, plain) else None
+        if at is not None and (len(word) > 1 or at == 0 or not plain[at - 1].isalnum()):
             total += START if at == 0 else BEGINNING if not plain[at - 1].isalnum() else INSIDE
             total += WHOLE if not _goes_on(plain, at + len(word)) else 0.0
             spans.append((at, at + len(word)))
@@ -103,9 +103,11 @@ def match(words: Sequence[str], title: str, *others: str) -> tuple[float, list[t
 
 
 def _stands(word: str, text: str) -> bool:
-    """Whether a word is in a text that is not shown; a number only by itself: the 4 of four cylinders is not that of a
-    name."""
-    return re.search(rf"(?<![a-z0-9.]){word}(?![a-z0-9.])", text) is not None if word.isdecimal() else word in text
+    """Whether a word is in a text that is not shown; a number or a letter only by itself: the 4 of four cylinders is
+    not that of a name."""
+    if word.isdecimal() or (len(word) == 1 and word.isalpha()):
+        return re.search(rf"(?<![a-z0-9.]){word}(?![a-z0-9.])", text) is not None
+    return word in text
 
 
 def _goes_on(text: str, at: int) -> bool:

@@ -293,9 +293,12 @@ def _directions(engine: EngineInputs, bank: IndexArray | None = None) -> Array:
 
 
 def not_fired(engine: EngineInputs) -> Text:
-    """Why a crank of given angles can not fire in the given order; empty where it can."""
+    """Why a crank of given angles can not fire in the given order; empty where it can, or where what says so is
+    missing."""
     order, angles = engine.firing_order or (), engine.crank_angles or ()
     if not len(angles) == len(order) == engine.cylinders or sorted(order) != list(range(1, len(order) + 1)):
+        return EMPTY
+    if engine.cylinder_pitch is None and engine.axial_positions is None:
         return EMPTY
     first = order.index(1)
     if firing(engine, throws := crank(engine, 0.0)).order == order[first:] + order[:first]:

@@ -421,6 +421,7 @@ class EngineInputs:
         help="Brake power at rated speed: gives the brake mean effective pressure, and the share of it that the "
         "train's losses take.",
         repair="asked",
+        decides=9,
     )
     flywheel_inertia: float | None = quantity(
         "Inertia of the flywheel",

@@ -73,17 +73,27 @@ class Arrangement(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class ShippedEngine:
-    """An engine to begin with: its name, how its crank stands and fires, and where its data come from."""
+    """An engine to begin with: its name, how its crank stands and fires, where its data come from, of what kind it is
+    (as engine_motion.toml has them): petrol-charged, diesel-industrial, motorcycle …; `bearings`: on which its balance
+    shafts run: plain, ball, roller, needle; empty where it has none."""
 
     name: str
     what: Text
     source: str
+    kind: str
+    bearings: tuple[str, ...]
 
 
 def engines() -> dict[str, ShippedEngine]:
     """The shipped engines by their id, the example first."""
     return {
-        name: ShippedEngine(str(_engine(row)["name"]), Text(row["what"]), row["source"])
+        name: ShippedEngine(
+            str(_engine(row)["name"]),
+            Text(row["what"]),
+            row["source"],
+            row["kind"],
+            tuple(row.get("arrangement", Arrangement()).get("bearings", ())),
+        )
         for name, row in _rows().items()
     }
 

@@ -81,6 +81,60 @@ class Hands:
         assert not left
 
 
+# engines of one's own: what finds the blank one, the numbers as they are asked for (none: what is proposed stays), the
+# keys from the balancing on, and how many keys it takes in all, digits and words too
+BLANK = {
+    "three": ("own 3", ("75", "90.5", "140", "320", "430", "", "6000", "84", "95"), ("ctrl+g",), 55),
+    "three, step by step": ("own 3", ("75", "90.5", "140", "320", "430", "", "6000", "84", ""), (), 55),
+    "four on needles": (
+        "own 4",
+        ("75", "90.5", "140", "320", "430", "", "5000", "84", "95"),
+        # the pair of shafts that it calls for, then needles instead of what the rules take, then the rest
+        ("enter", "enter", "enter", "down", "down", "enter", "ctrl+g"),
+        80,
+    ),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+@pytest.mark.parametrize("name", BLANK)
+async def test_an_engine_of_which_every_number_is_ones_own(name, size, tmp_path, monkeypatch):
+    """From the start page to Ready: a design that no limit speaks against."""
+    monkeypatch.chdir(tmp_path)
+    words, numbers, rest, most = BLANK[name]
+    app = ContralberoApp(None, memory=Memory(tmp_path / "state"))
+    async with app.run_test(size=size) as pilot:
+        hands = Hands(pilot)
+        await hands.press(*("space" if key == " " else key for key in words), "enter", "enter")
+        await until(pilot, lambda: hands.bench is not None and hands.bench.stands)
+        for n, number in enumerate(numbers):
+            await hands.press(*("full_stop" if key == "." else key for key in number))
+            if n + 1 < len(numbers) or rest[:1] != ("ctrl+g",):
+                await hands.press("enter")
+        for key in rest:
+            await hands.press(key)
+        while not isinstance(app.screen, ReadyScreen):
+            if not rest:
+                await hands.press("enter")
+            await until(pilot, hands._rests)
+            assert hands.keys <= most
+        session = hands.bench.session
+        engine = session.data["engine"]
+        given = [f"{number:g}" for number in map(float, filter(None, numbers))]
+        asked = (
+            engine["bore_mm"], 2 * engine["crank_radius_mm"], engine["rod_length_mm"], engine["piston_mass_g"],
+            engine["rod_mass_g"], engine["rated_speed_rpm"], engine["cylinder_pitch_mm"], engine.get("rated_power_kW"),
+        )  # fmt: skip
+        assert [f"{number:g}" for number in asked if number is not None] == given
+        assert whole_of(session).ready and session.results.counts.limits > 40
+        assert not [check for check in session.results.checks() if check.verdict in ("fail", "not_verified")]
+        needles = [row.size for row in session.design.rows if row.kind == "rolling"]
+        if "needles" in name:
+            assert len(session.design.shafts) == 2 and len(needles) == 2 and all("NA" in size for size in needles)
+        print(name, size, hands.keys)
+
+
 QUICK = [("v6-60", (80, 24))]  # a few seconds
 
 

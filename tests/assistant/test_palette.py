@@ -38,7 +38,8 @@ def found(pilot: Pilot[int]) -> list[str]:
 
 FIRST = (
     ("quit", "Quit"),
-    ("new", "New, or another design …"),
+    ("new", "New: own engine …"),
+    ("new another", "New, or another design …"),
     ("step next", "Next step"),
     ("bore engine.b", "Field: Bore  engine.bore_mm"),
     ("alesaggio", "Field: Bore  engine.bore_mm"),

@@ -21,7 +21,7 @@ from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, until, work
 
 SIX = 6  # inputs that decide a step, at most
-OF_ENGINE = 8  # whose masses are weighed: no rod is like that of another engine
+OF_ENGINE = 9  # whose masses are weighed: no rod is like that of another engine
 
 
 def places(pilot: object) -> list[Place]:
@@ -30,7 +30,7 @@ def places(pilot: object) -> list[Place]:
 
 def test_an_input_lies_where_it_says_and_else_where_its_table_lies() -> None:
     assert fold_at("engine", ("engine", "bore_mm"), {}) is None
-    assert fold_at("engine", ("engine", "rated_power_kW"), {}) == 0
+    assert fold_at("engine", ("engine", "flywheel_inertia_kgm2"), {}) == 0
     assert fold_at("gears", ("gears", "wheels", 0, "teeth"), {}) is None
     assert fold_at("gears", ("gears", "wheels", 0, "quality"), {}) == 1
     assert fold_at("gears", ("gears", "+1"), {}) is None, "a fold lies in none"
@@ -61,16 +61,16 @@ def test_what_decides_a_step_is_seen_at_one_glance(key: str) -> None:
 async def test_a_fold_opens_stays_open_and_opens_for_a_field_that_is_sought(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
-        assert "Which engine shakes?" in rows(pilot) and ("engine", "rated_power_kW") not in places(pilot)
+        assert "Which engine shakes?" in rows(pilot) and ("engine", "flywheel_inertia_kgm2") not in places(pilot)
         fold = next(one for one in work(pilot).form.query(Fold) if one.row.place == ("engine", "+0"))
         fold.focus()
         await strike(pilot, "enter")
         await settled(pilot)
-        assert ("engine", "rated_power_kW") in places(pilot) and "assumed (" in rows(pilot)
+        assert ("engine", "flywheel_inertia_kgm2") in places(pilot) and "assumed (" in rows(pilot)
         await strike(pilot, "left")
         await settled(pilot)
-        assert ("engine", "rated_power_kW") not in places(pilot) and pilot.app.focused is fold
-        await go_to(pilot, "engine.rated_power_kW")
+        assert ("engine", "flywheel_inertia_kgm2") not in places(pilot) and pilot.app.focused is fold
+        await go_to(pilot, "engine.flywheel_inertia_kgm2")
         await go_to(pilot, "engine.firing_order")
         assert ("engine", "bank_angle_deg") not in places(pilot)  # an inline engine has none
 
@@ -90,10 +90,10 @@ async def test_a_field_is_never_typed_into_unseen(screen: Screen) -> None:
 async def test_keys_that_follow_a_jump_into_a_fold_are_not_lost(screen: Screen) -> None:
     async with screen() as pilot:
         bench = work(pilot)
-        await bench.to_field(("engine", "rated_power_kW"))
-        await type_in(pilot, "61")
+        await bench.to_field(("engine", "flywheel_inertia_kgm2"))
+        await type_in(pilot, "0.61")
         await settled(pilot)
-        assert bench.number == 1 and bench.session.value("engine.rated_power_kW") == 61.0
+        assert bench.number == 1 and bench.session.value("engine.flywheel_inertia_kgm2") == 0.61
 
 
 @pytest.mark.slow

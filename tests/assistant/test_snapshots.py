@@ -147,7 +147,7 @@ async def test_start(seen: SnapshotAssertion, tmp_path: Path) -> None:
     async with ContralberoApp(None, memory=Memory(tmp_path / "state")).run_test(size=(120, 40)) as pilot:
         await until(pilot, lambda: isinstance(pilot.app.screen, Start) and pilot.app.screen.here is not None)
         await strike(pilot, *"inline 3")
-        await until(pilot, lambda: not pilot.app.workers and screen_rows(pilot)[5].count("−ω") > 0)
+        await until(pilot, lambda: not pilot.app.workers and any("−ω" in row for row in screen_rows(pilot)))
         await at_rest(pilot)
         assert picture(pilot) == seen
 
@@ -161,7 +161,7 @@ async def test_imbalance_of_a_new_design(
     monkeypatch.chdir(tmp_path)
     async with ContralberoApp(None, memory=Memory(tmp_path / "state")).run_test(size=(120, 40)) as pilot:
         await until(pilot, lambda: isinstance(pilot.app.screen, Start) and pilot.app.screen.here is not None)
-        await strike(pilot, *"inline 3", "enter")
+        await strike(pilot, *"b38", "enter")
         await until(pilot, lambda: isinstance(pilot.app.screen, NewDialog) and pilot.app.screen.focused is not None)
         await strike(pilot, "enter")
         await until(
@@ -196,6 +196,8 @@ async def test_gears_on_a_narrow_screen(
 
 async def test_ready(opened: Opened, seen: SnapshotAssertion) -> None:
     async with opened(6, (120, 40), SIZED) as pilot:
+        await strike(pilot, "f3")  # past the mounting, which is offered
+        await still(pilot)
         await over(pilot, "f3", ReadyScreen)
         await at_rest(pilot)
         assert picture(pilot) == seen

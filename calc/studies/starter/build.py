@@ -10,7 +10,7 @@ from itertools import product
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
 from ...design.addresses import Table, as_list, as_table, asks, own_shafts
-from ...design.model import Design
+from ...design.model import STEPS, Design
 from ...design.toml_file import Document, design
 from ...engine.crank import crank
 from ...engine.inputs import EngineInputs
@@ -20,7 +20,7 @@ from ...imbalance.checks import BACKWARD_COUPLE, BACKWARD_FORCE, FORWARD_COUPLE,
 from ...imbalance.result import ImbalanceResult
 from ...mounting.inputs import Mount, MountingInputs, Point
 from ...mounting.result import MountingResult
-from ...sheet.errors import BadInput, NoSolution
+from ...sheet.errors import BadInput, NoSolution, text_of
 from ...sheet.quantity import dotted, keys
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Text
@@ -29,7 +29,7 @@ from ...sheet.value import recorded
 from ...solve import Results, solve
 from ..ready import CRANK_ALONE, NO_BEARINGS, NO_TRAIN, NONE, NOTHING
 from . import balancing as which
-from . import bearings, several, shaft, train
+from . import bearings, rolling, several, shaft, train
 from .writing import Rows, Section, head, mm, table, up, written
 
 # --- the engine on four mounts at its corners
@@ -106,6 +106,8 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
 TABLES = (dotted(Design.shafts), *SHAFT_STEPS[1:])
 ROWS, NAME = dotted(ShaftInputs.bearings), dotted(BearingRow.name)
+SHAFTS = dotted(Design.shafts)
+KINDS = (rolling.ROLLING, rolling.NEEDLE)  # of which all bearings may be asked for
 KEPT = {
     "none": 0.0,
     "half": 0.5,
@@ -118,16 +120,17 @@ LEFT = "left to the mounts by the balancing that was chosen"
 TAKEN = "the pair of shafts at crank speed takes it"
 
 
-def built(document: Document, step: str, balancing: str = "") -> Document:
+def built(document: Document, step: str, choice: str = "") -> Document:
     """The document with the tables of a step, by the rules behind `new`.
 
-    For "imbalance" and "countershaft" `balancing` is the id of one of `options`; left out, the one that the engine
-    calls for.  It takes the place of the one before: what no longer fits the shaft goes.  Raises NoSolution with what
-    was tried, BadInput where the design that there is can not be understood."""
+    For "imbalance" and "countershaft" `choice` is the id of one of `options`; left out, the one that the engine
+    calls for.  It takes the place of the one before: what no longer fits the shaft goes.  For "bearings" it is the kind
+    of all of them, one of `KINDS`; left out, the one that the rules take.  Raises NoSolution with what was tried,
+    BadInput where the design that there is can not be understood."""
     builders: dict[str, Callable[[], Document]] = {
-        "imbalance": lambda: _imbalance(document, balancing),
-        "countershaft": lambda: _balanced(document, balancing),
-        "bearings": lambda: _bearings(document),
+        "imbalance": lambda: _imbalance(document, choice),
+        "countershaft": lambda: _balanced(document, choice),
+        "bearings": lambda: _bearings(document, choice) if choice else _bearings_by_rule(document),
         "gears": lambda: _with(document, train.gears(_put(document, {}, ("friction",)), _results(document))),
         "friction": lambda: _with(document, train.friction(document, _results(document))),
         "mounting": lambda: _with(document, mounting(document, _results(document))),
@@ -140,6 +143,26 @@ def built(document: Document, step: str, balancing: str = "") -> Document:
         document = _put(document, {}, (step,))  # one that was left out comes back
     with recorded(False):
         return builders[step]()
+
+
+def to_build(data: Table) -> list[str]:
+    """The steps that a design has still to do, in their order, and that rules build: those that nobody has left out."""
+    without = as_table(data.get("without"))
+    return [s.key for s in STEPS if not (s.optional or asks(data, s.key) or s.key in without or s.key == "engine")]
+
+
+def all_built(document: Document) -> tuple[Document, Text]:
+    """With all that is still to do, step by step; as far as the rules come, and why they come no further."""
+    while steps := to_build(document.data):
+        # the balancing builds crank and shaft in one
+        step = "countershaft" if steps[:2] == ["imbalance", "countershaft"] else steps[0]
+        try:
+            document = built(document, step)
+        except (BadInput, NoSolution) as error:
+            return document, text_of(error)
+        if to_build(document.data) == steps:  # the balancing that was chosen has no shaft
+            return document, Text("the step {step} is not built by rules", step=step)
+    return document, EMPTY
 
 
 def hindrance(document: Document, step: str) -> Text:
@@ -298,7 +321,27 @@ def _holds(document: Document) -> bool:
     return verdicts.isdisjoint(("fail", "no_solution", "blocked"))
 
 
-def _bearings(document: Document) -> Document:
+def _bearings(document: Document, kind: str) -> Document:
+    """With bearings of one kind; shafts that are still as the rules have them for plain ones are made for it.  Raises
+    NoSolution where none of it carry."""
+    alone = _for_kind(_put(document, {"gears": None, "friction": None}), kind)
+    found = bearings.on_rolling(bearings.Unborne(alone, _results(alone), []), (kind, kind)).document
+    same = alone.data.get(SHAFTS) == document.data.get(SHAFTS)
+    return _put(found, _train_of(document) if same else {}, (dotted(Design.bearings),))
+
+
+def _for_kind(document: Document, kind: str) -> Document:
+    if (balancing := choice_made(document)) not in ("second", "repeat", "pair", "pair_and_second"):
+        return document
+    bare = _put(document, dict.fromkeys(TABLES))
+    known = which.with_imbalance(bare)
+    arranged = _arranged(balancing, known)
+    if _with(bare, several.shafts(bare, known, arranged)).data[SHAFTS] != document.data[SHAFTS]:
+        return document
+    return _with(bare, several.shafts(bare, known, arranged, (kind, kind)))
+
+
+def _bearings_by_rule(document: Document) -> Document:
     """With bearings by the rule behind `new`, or the word that there are none."""
     # which asks for the oil of the bearings, as the wheels ask for their loss
     alone = _put(document, {"gears": None, "friction": None})
@@ -308,8 +351,11 @@ def _bearings(document: Document) -> Document:
         found = bearings.carried(lambda _: bearings.Unborne(alone, _results(alone), [])).document
     except bearings.NoBearings:
         return _without(document, {"bearings": NO_BEARINGS})
-    train_of: Table = {step: document.data[step] for step in ("gears", "friction") if step in document.data}
-    return _put(found, train_of, (dotted(Design.bearings),))
+    return _put(found, _train_of(document), (dotted(Design.bearings),))
+
+
+def _train_of(document: Document) -> Table:
+    return {step: document.data[step] for step in ("gears", "friction") if step in document.data}
 
 
 def _is_one_at_minus_one(document: Document) -> bool:

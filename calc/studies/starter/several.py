@@ -4,7 +4,8 @@
 They lie in a module that is parted at their axes, so that nothing has to pass a seat: a journal is as thick as the
 core, and core and outer radius grow together until the bearings hold.  Shells of journals of one size are picked by
 classes; where shafts have different ones they lie as close by their fits.  A force at twice crank speed gets three
-bearings, one cylinder pitch apart, all else two."""
+plain bearings, one cylinder pitch apart, or two rolling ones, whose rings pass no sectors, half a pitch on either side
+of it; all else two."""
 
 import math
 from collections.abc import Iterator
@@ -99,17 +100,18 @@ def shafts(
 ) -> list[Section]:
     """The tables of all shafts, each with the thinnest core whose journals hold in plain bearings, or in the rolling
     ones of these `kinds`; where none does with the thickest.  Raises NoSolution where no envelope has room."""
-    each = [_shaft(results, one, _thinnest(document, results, one, kinds)) for one in arranged]
+    rolls = _roll(kinds)
+    each = [_shaft(results, one, _thinnest(document, results, one, kinds), rolls) for one in arranged]
     return [section for sections in each for section in sections]
 
 
 def _thinnest(document: Document, results: Results, one: Arranged, kinds: tuple[str, ...]) -> Metre:
-    on_rolling = bool(kinds) and PLAIN not in kinds
+    on_rolling = _roll(kinds)
     least = 0.0 if on_rolling else math.sqrt(_load(results, one) / (RATIO * LARGEST))
     found: tuple[int, Metre] | None = None
     for diameter in (d for d in (rolling.BORES if on_rolling else JOURNALS) if d >= least):
         try:
-            tried = _shaft(results, one, diameter)
+            tried = _shaft(results, one, diameter, on_rolling)
         except NoSolution:
             continue
         with_it = Document({**document.data, **table(tried)})
@@ -121,6 +123,11 @@ def _thinnest(document: Document, results: Results, one: Arranged, kinds: tuple[
     if found is None:
         raise NoSolution(SHAFT, Text("journals up to 60 mm, outer radii up to 100 mm"), Text("give [[shafts]]"))
     return found[1]
+
+
+def _roll(kinds: tuple[str, ...]) -> bool:
+    """Whether all bearings of these kinds are rolling ones."""
+    return bool(kinds) and PLAIN not in kinds
 
 
 def _on_plain(document: Document, results: Results) -> int:
@@ -220,14 +227,15 @@ def _task(results: Results, one: Arranged) -> StarterTask:
     return replace(whole, F=whole.F / 2, C=whole.C / 2) if one.how == REPEATS and one.twin else whole
 
 
-def _places(results: Results, one: Arranged, todo: StarterTask) -> tuple[Metre, ...]:
+def _places(results: Results, one: Arranged, todo: StarterTask, rolls: bool = False) -> tuple[Metre, ...]:
+    """Where the bearings stand; `rolls`: they are rolling ones."""
     engine, train = results.design.engine, results.result(EngineResult)
     assert engine is not None and train is not None
     pitch = train.crank.pitch
     row = float(max(train.crank.z) - min(train.crank.z)) + pitch
     if abs(one.ratio) == 2 and abs(todo.C) <= 0.01 * row * abs(todo.F):
         apart = up(max(pitch, 0.75 * engine.bore), 1e-3)
-        return -apart, 0.0, apart
+        return (-apart / 2, apart / 2) if rolls else (-apart, 0.0, apart)
     half = up(max(row, 1.5 * engine.bore), 2e-3) / 2
     return -half, half
 
@@ -246,12 +254,12 @@ def estimated_mass(results: Results, one: Arranged) -> Kilogram:
 
 
 def _sized(
-    results: Results, one: Arranged, diameter: Metre
+    results: Results, one: Arranged, diameter: Metre, rolls: bool = False
 ) -> tuple[tuple[Metre, ...], Metre, Metre, Sized | SizedStretches]:
     """The places of the bearings, half the length of the sectors, the smallest outer radius whose utilisation is
     comfortable, and the sectors.  Raises NoSolution."""
     todo = _task(results, one)
-    places, length, core = _places(results, one, todo), estimated_length(diameter), diameter / 2
+    places, length, core = _places(results, one, todo, rolls), estimated_length(diameter), diameter / 2
     half_length = down(places[-1] - length / 2 - 2 * FILLET, 0.5e-3)
     rho = results.design.materials[STEEL].density
     with untraced():
@@ -267,11 +275,11 @@ def _sized(
     raise NoSolution(SHAFT, Text("outer radii up to 100 mm"))
 
 
-def _shaft(results: Results, one: Arranged, diameter: Metre) -> list[Section]:
-    """The tables of a shaft and its twin.  Raises NoSolution."""
+def _shaft(results: Results, one: Arranged, diameter: Metre, rolls: bool = False) -> list[Section]:
+    """The tables of a shaft and its twin; `rolls`: on rolling bearings.  Raises NoSolution."""
     engine, length, core = results.design.engine, estimated_length(diameter), diameter / 2
     assert engine is not None
-    places, half_length, outer, sized = _sized(results, one, diameter)
+    places, half_length, outer, sized = _sized(results, one, diameter, rolls)
     side = up(max(outer + APART, core + 4 * APART, 0.75 * engine.bore), 5e-3)
     beneath = up(2 * engine.crank_radius + outer, 5e-3)
     axis = (-beneath, -side) if abs(one.ratio) == 2 else (0.0, -beneath)
@@ -298,7 +306,9 @@ def _shaft(results: Results, one: Arranged, diameter: Metre) -> list[Section]:
     sections: list[Section] = [(head(Design.shafts), rows)]
     names = ("front", "middle", "rear") if len(places) == 3 else ("front", "rear")
     for name, z in zip(names, places):
-        apart = "a cylinder pitch apart" if len(places) == 3 else "as long as the row of cylinders, or 1.5 bores"
+        apart = "as long as the row of cylinders, or 1.5 bores"
+        if len(_places(results, one, _task(results, one))) == 3:
+            apart = "a cylinder pitch apart"
         bearing: Rows = {
             BearingRow.name: (name, ""),
             BearingRow.position: (mm(z), f"assumed: {apart}"),

@@ -7,6 +7,7 @@ from textual.widgets import Input
 from assistant.app import ContralberoApp
 from assistant.screens.dialogs import Accept, LeaveOut
 from assistant.screens.explain import Explain
+from assistant.screens.ready import ReadyScreen
 from assistant.screens.workbench import Workbench
 from assistant.widgets.radio import Balance
 from assistant.widgets.steps import states_of
@@ -200,6 +201,22 @@ async def leave_out(pilot: Pilot[int], do: Do) -> None:
     await strike(pilot, *"on rollers", "enter")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
     assert session.data["without"] == {"bearings": "on rollers"}
+
+
+@deed
+async def build_all(pilot: Pilot[int], do: Do) -> None:
+    """Not before the input is valid; behind the last step that is to do it shows what it came to.  (The building itself
+    takes seconds: `test_from_engine_to_ready.py`.)"""
+    session = work(pilot).session
+    session.edit("engine.bore_mm", "wide")
+    await do()
+    await until(pilot, lambda: "First the input has to be valid." in told(pilot))
+    session.edit("engine.bore_mm", "94")
+    for step in ("bearings", "gears", "friction"):
+        session.leave_out(step, "on a bench")
+    work(pilot).edited()
+    await do()
+    await over(pilot, ReadyScreen)
 
 
 # --- copying

@@ -15,7 +15,7 @@ from calc.imbalance.checks import COUPLE_LEFT
 from calc.sheet.errors import NoSolution
 from calc.solve import Results, solve
 from calc.studies.shipped import DESIGNS, _rows, engine_design
-from calc.studies.starter.build import built, choice_made, hindrance
+from calc.studies.starter.build import all_built, built, choice_made, hindrance, to_build
 
 DIESEL: Table = {
     "name": "own inline three",
@@ -88,6 +88,17 @@ def test_an_own_engine_is_ready_step_by_step(engine: Table) -> None:
     steps = ("shafts" if step == "countershaft" else step for step in STEPS)
     assert list(document.data)[3:] == ["imbalance", *(step for step in steps if step in document.data)]
     assert choice_made(document) == "shaft"
+
+
+def test_all_that_is_left_is_built_as_far_as_the_rules_come() -> None:
+    """What is there stays, what a person left out too; where they come no further they say why."""
+    gamma = read(DESIGNS / "r753ie4_gamma.toml")
+    made, why = all_built(gamma.with_value("friction", None))
+    assert not why and made.data == built(gamma.with_value("friction", None), "friction").data
+    without = Document({**gamma.data, "without": {"gears": "a chain"}})
+    without = without.with_value("gears", None).with_value("friction", None)
+    made, why = all_built(without)
+    assert made is without and "friction" in to_build(made.data) and "gears" not in to_build(made.data) and why
 
 
 @pytest.mark.slow
