@@ -30,6 +30,7 @@ from ...sheet.step import Outcome
 from ...sheet.text import COMMA, Text
 from ...solve import Results
 from . import sizing, teeth
+from .levers import settled
 from .state import ORDER, RepairState, broken, first_repaired, is_mended, repaired, state_of, warned
 from .trials import one_number
 
@@ -299,7 +300,8 @@ class _Step:
     def _one_number(self, state: RepairState, failing: tuple[Check, ...], progress: Progress | None) -> RepairState:
         """By what a check itself names as a remedy, where that breaks nothing; else by the search over single
         numbers."""
-        named = [dict(remedy.changes) for c in failing for remedy in c.remedies]
+        exact = [dict(remedy.changes) for c in failing for remedy in c.remedies]
+        named = [way for changes in exact for way in (settled(state.document, changes), changes)]
         try:
             mended = first_repaired(state, self.step, [c.id for c in failing], named, progress, most=NAMED)
         except NoSolution:

@@ -61,7 +61,8 @@ from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
 from ...sheet.verdict import named as named_checks
 from ...solve import Results, solve
 from . import sizing
-from .levers import Lever, called, disturbance, free_keys, kind_of, levers, named_keys, place_of, words_of
+from .effects import NO_EFFECTS, SideEffects, side_effects
+from .levers import Lever, called, disturbance, free_keys, kind_of, levers, named_keys, place_of, settled, words_of
 from .nearest import remedy
 from .state import ORDER, RepairState, broken, closer_limits, is_mended, state_of
 from .trials import ROUND, Trials
@@ -91,7 +92,7 @@ class RepairOption:
     quality: int = LOCKED
     disturbance: float = 0.0
     left: tuple[Text, ...] = ()
-    breaks: tuple[Text, ...] = ()
+    side: SideEffects = NO_EFFECTS
     closer: tuple[Text, ...] = ()
     verdicts: tuple[tuple[str, str, str], ...] = ()
     power: tuple[float, float] | None = None
@@ -108,6 +109,16 @@ class RepairOption:
         return self.quality < NEAR
 
     @property
+    def breaks(self) -> tuple[Text, ...]:
+        return self.side.breaks
+
+    @property
+    def result(self) -> Text:
+        """How far it comes and how much it opens: `passes; opens 2 cautions`; of what is locked why it was not looked
+        at."""
+        return SEMICOLON.join([text for text in (self.effect, self.side.counted) if text]) or EMPTY
+
+    @property
     def rest(self) -> Text:
         """What it does beside: `+9 W, +0.4 kg, cold gap 32 µm; then not kept: …`."""
         parts = [
@@ -118,7 +129,7 @@ class RepairOption:
         if self.cold is not None:
             parts.append(Text("cold gap {gap}", gap=Amount(self.cold, "µm", digits=3)))
         texts = [COMMA.join(parts)] if parts else []
-        if self.breaks:
+        if self.breaks and self.quality != BREAKS:  # of which the effect says so
             texts.append(Text("then not kept: {checks}", checks=COMMA.join(self.breaks[:2])))
         if self.closer:
             texts.append(Text("then closer: {checks}", checks=COMMA.join(self.closer[:2])))
@@ -137,14 +148,12 @@ def repair_option(
 ) -> RepairOption:
     """A way that was found, with all that it does."""
     left = _open_still(after, group)
-    names = {c.id: c.name for c in after.results.checks()}
-    worse = broken(state, after)
-    breaks = tuple(names.get(id, Text("{step} has no solution", step=id)) for id in worse)
-    mine = {c.id for c in group} | set(worse)
+    side = side_effects(state.results, after.results, [c.id for c in group])
+    mine = {c.id for c in (*group, *side.opens)} | set(broken(state, after))
     part = group[0].id.rpartition(".")[0] if group else ""
     closer = tuple(named_checks([c]) for c in closer_limits(state.results, after.results, part) if c.id not in mine)
     limits = any(c.verdict == "fail" for c in left) or (bool(left) and left[0].id == group[0].id)
-    quality = NEAR if limits else BREAKS if breaks else AS_GIVEN if left else ALL_CORNERS
+    quality = NEAR if limits else BREAKS if side.breaks else AS_GIVEN if left else ALL_CORNERS
     before, then = state.results, after.results
     gaps = {v.id.rpartition(".")[0]: v.shown for v in then.values_of(PlainResult.clearance_cold)}
     return RepairOption(
@@ -152,11 +161,11 @@ def repair_option(
         tuple(changes),
         tuple(changes.items()),
         words(state.document, before, changes),
-        _effect(after, group, left, quality),
+        _effect(after, group, left, side, quality),
         quality,
         disturbance(state.document, changes),
         tuple(c.name for c in left),
-        breaks,
+        side,
         closer,
         tuple((key, before.outcomes[key].verdict, then.outcomes[key].verdict) for key in ORDER),
         _pair(before, then, FrictionResult.total_loss),
@@ -183,9 +192,21 @@ def _open_still(after: RepairState, group: tuple[Check, ...]) -> tuple[Check, ..
 AT_CORNERS = (FILM_EDGE_CORNER, TEMPERATURE_CORNER, CLEARANCE_COLD_CORNER, BACKLASH_WORST)
 
 
-def _effect(after: RepairState, group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> Text:
+def _effect(
+    after: RepairState, group: tuple[Check, ...], left: tuple[Check, ...], side: SideEffects, quality: int
+) -> Text:
+    if quality == BREAKS:
+        return Text("mends this; then not kept: {checks}", checks=COMMA.join(side.breaks[:2]))
     if quality == NEAR and left:
         worst = left[0]
+        if worst.verdict == "not_verified" and worst.missing:
+            value = Amount(worst.value, worst.unit, digits=3)
+            return plural(
+                "{value} as taken; {n} more input is needed",
+                "{value} as taken; {n} more inputs are needed",
+                n=len(worst.missing),
+                value=value,
+            )
         if worst.id != group[0].id:
             return Text("still open: {checks}", checks=worst.name)
         return Text(
@@ -326,7 +347,7 @@ DEAR = 3.0  # times the change that is enough as given, beyond which the corners
 EIGHTH = 0.125  # of a change that breaks something: so close to it one that does not is looked for
 LARGE = 0.25  # relative change beyond which one that breaks something else is no remedy
 MANY = 3  # limits that a remedy may break
-NEARER = 0.1  # share of what is missing that a change must bring to be worth a row
+NEARER = 0.9  # share of what is missing that a change may leave to be worth a row
 
 
 def _best(
@@ -338,7 +359,10 @@ def _best(
     tell(progress, 0.0, name)
     trials = Trials(state, step, group, Budget(TRIES), progress, name, FARTHEST, ROUND)
     for changes in plan.sets:
-        if (way := _way(trials, changes)) is not None:
+        way = _way(trials, settled(state.document, changes))
+        if way is None or not way.passes:
+            way = _way(trials, changes)
+        if way is not None:
             options.append(way)
             if way.quality == ALL_CORNERS:
                 break
@@ -376,16 +400,22 @@ def _worth(trials: Trials, way: RepairOption) -> bool:
     """Whether it is worth a row: it breaks little, and comes clearly nearer."""
     if way.quality != NEAR:
         return len(way.breaks) <= MANY
+    after = trials.tried(dict(way.made), whole=True)
+    return not way.breaks and after is not None and _missing(trials, after) < _missing(trials, trials.state) * NEARER
+
+
+def _missing(trials: Trials, after: RepairState) -> float:
+    """What the first check lacks, in its unit: a limit that moves away without the value is nothing gained."""
     first = trials.checks[:1]
-    gap, still = -trials.score(trials.state, first), -trials.score(trials.tried(dict(way.made), whole=True), first)
-    return not way.breaks and still < gap * (1 - NEARER)
+    scale = next((c.scale for c in after.outcome(trials.step).checks if c.id == first[0].id), 0.0) if first else 0.0
+    return -trials.score(after, first) * (scale or 1.0)
 
 
 def _moved(trials: Trials, lever: Lever, wanted: tuple[Check, ...]) -> RepairOption | None:
     """The smallest change by which what is wanted holds, else the one that comes nearest."""
     numbers, nearest = trials.enough(lever, wanted)
     for number in numbers:
-        if (way := _way(trials, lever.at(number) or {})) is not None:
+        if (way := _way(trials, lever.offered_at(number) or {})) is not None:
             large = way.breaks and way.disturbance >= LARGE
             return _nearer(trials, lever, (number - lever.now) / lever.scale) if large else way
     return _nearer(trials, lever, nearest) if nearest else None
@@ -399,7 +429,7 @@ def _nearer(trials: Trials, lever: Lever, end: float) -> RepairOption | None:
         """0 where something does, else no number."""
         change = share * abs(end)
         number = lever.rounded(math.copysign(change - min(ROUND, change / 5), end), math.copysign(change, end))
-        changes = lever.at(number)
+        changes = lever.offered_at(lever.short_of(number))
         way = _way(trials, changes) if changes is not None else None
         if way is None or way.breaks:
             return 0.0

@@ -243,7 +243,7 @@ def _single(mass: EccentricMass, wanted: complex) -> Iterator[Changes]:
     now, turned = math.degrees(mass.angle), _near(math.degrees(cmath.phase(wanted)), math.degrees(mass.angle))
     angle = {_of_mass(mass, EccentricMass.angle): round(turned, 1)} if abs(turned - now) > 0.05 else {}
     weight = {_of_mass(mass, EccentricMass.mass): round(abs(wanted) / mass.radius, 3)} if mass.radius else {}
-    radius = {_of_mass(mass, EccentricMass.radius): round(abs(wanted) / mass.mass * 1e3, 3)} if mass.mass else {}
+    radius = {_of_mass(mass, EccentricMass.radius): round(abs(wanted) / mass.mass * 1e3, 2)} if mass.mass else {}
     yield weight
     yield angle
     yield weight | angle

@@ -96,14 +96,20 @@ def state_of(document: Document, results: Results | None = None) -> RepairState:
 def broken(before: RepairState, after: RepairState, steps: Iterable[str] = ORDER) -> list[str]:
     """Limits of these steps that are judged worse now: that fail and did not before, or are not verified any more; and
     steps that lost their solution.  Of a step without one nothing counts."""
+    return worse_limits(before.results, after.results, steps)
+
+
+def worse_limits(before: Results, after: Results, steps: Iterable[str] = ORDER) -> list[str]:
+    """The same of two solved designs."""
     worse = []
     for step in steps:
-        if before.outcome(step).state != "solved":
+        was, now = before.outcomes[step], after.outcomes[step]
+        if was.state != "solved":
             continue
-        if after.outcome(step).state != "solved":
+        if now.state != "solved":
             worse.append(step)
-        were = {c.id: _lost(c) for c in before.outcome(step).checks}
-        worse += [c.id for c in after.outcome(step).checks if _lost(c) > were.get(c.id, UNVERIFIED)]
+        were = {c.id: _lost(c) for c in was.checks}
+        worse += [c.id for c in now.checks if _lost(c) > were.get(c.id, UNVERIFIED)]
     return worse
 
 
