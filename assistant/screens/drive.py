@@ -15,7 +15,6 @@ from textual.widget import Widget
 from textual.widgets import Static
 
 from calc.countershaft.result import CountershaftResult
-from calc.design.toml_file import design
 from calc.sheet.errors import NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.remedy import Changes
@@ -31,12 +30,10 @@ from calc.studies.drive.solved_drive import mass, power
 
 from ..base_app import BaseApp
 from ..offers import Offer
-from ..session.compare_with import Chosen
 from ..session.session import Session
 from ..widgets.item_list import ItemList
 from ..widgets.text import fit, pad
-from .compare import CompareScreen
-from .selection import Choosing, OfferList, Searching
+from .selection import Choosing, OfferList
 
 if TYPE_CHECKING:
     from calc.studies.drive.search import FrontFound
@@ -122,11 +119,18 @@ SHARE = 0.85  # of the progress, until all classes are done
 PROCESSES = 2
 TALL = 30  # rows of a screen with room for points and table
 HINT = Text(
-    "Enter takes the drive (undo takes it back) · x y axes · s sort · v points · = compares · < > largest seat · i "
-    "what is searched · "
-    "Esc back"
+    "Enter takes the drive (undo takes it back) · x y axes · s sort · v points · = compares now → drive · < > largest "
+    "seat · i what is searched · Esc back"
 )
-STOPS = Text("Esc keeps the front so far")
+STOPS = Text("Enter keeps the drives so far · Esc stops")
+ENDING = Text("ending with the drives so far …")
+
+
+def of_shaft(session: Session) -> dict[str, object]:
+    """Of several shafts that in view, where the design does not say which."""
+    optimise = session.design.optimise
+    several = len(session.design.originals) > 1 and (optimise is None or optimise.shaft is None)
+    return {"shaft": session.original} if several else {}
 
 
 class Driving(Choosing):
@@ -141,7 +145,6 @@ class Driving(Choosing):
         Binding("greater_than_sign", "narrow(1)", "Larger seats again", show=False),
         Binding("i", "about", "What is searched", show=False),
         Binding("v", "view", "Points or table", show=False),
-        Binding("equals_sign", "compare", "Compare with the design", show=False),
     ]
 
     def __init__(self, session: Session) -> None:
@@ -172,24 +175,35 @@ class Driving(Choosing):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        problem, _ = asked(self.session.document, {})
-        count = len(problem.classes)
+        session, here = self.session, Text("loads and films")
+        problem, _ = asked(session.document, of_shaft(session))
+        count, share = len(problem.classes), 0.0
+        enough, tries = lambda: self._enough, 0
+
+        def tell(now: float, what: Text) -> None:
+            nonlocal share, here
+            share, here = now, what
+            progress(now, ENDING if self._enough else what)
 
         def told(done: int, known: Known, name: str) -> None:
-            progress(SHARE * done / count, Text("{name}: front {n}", name=Name(name), n=len(known)))
+            tell(SHARE * done / count, Text("{name}: front {n}", name=Name(name), n=len(known)))
 
         def solving(done: int, of: int) -> None:
-            progress(SHARE + (1 - SHARE) * done / of, Text("{n} of {of} drives solved whole", n=done, of=of))
+            tell(SHARE + (1 - SHARE) * done / of, Text("{n} of {of} drives solved whole", n=done, of=of))
 
-        def evolving(done: int, most: int, passing: int) -> None:
-            progress(
-                done / most, Text("{done} of {most} solved, {passing} pass", done=done, most=most, passing=passing)
-            )
+        def trying() -> bool:
+            nonlocal tries
+            tries += 1
+            tell(min(1.0, tries / EVALUATIONS), Text("{done} of {most} solved", done=tries, most=EVALUATIONS))
+            return self._enough
 
+        tell(0.0, here)
         try:
-            front = search(problem, PROCESSES, None, told, solving, stop=lambda: self._enough)
+            front = search(
+                problem, PROCESSES, None, told, solving, stop=enough, enough=enough, pulse=lambda: tell(share, here)
+            )
         except NotClosed:
-            front = evolved(problem, EVALUATIONS, problem.seed, evolving)
+            front = evolved(problem, EVALUATIONS, problem.seed, enough=trying)
         if not front.drives:
             raise NoSolution(self._nothing(front, progress))
         self.front = front
@@ -302,13 +316,8 @@ class Driving(Choosing):
             self.axes[which] = next((n for n in following if n != other), self.axes[which])
             self._draw()
 
-    def action_compare(self) -> None:
-        """The drive under the cursor beside the design, in full."""
-        if self.front is None or not self.number:
-            return
-        document = self.front.drives[self.number - 1].document
-        title = Text("drive {n}", n=self.number)
-        self.app.push_screen(CompareScreen(self.session, Chosen(title, title, document.data, design(document))))
+    def row_name(self, number: int) -> Text:
+        return Text("drive {n}", n=number)
 
     def action_sort(self) -> None:
         if self.front is not None:
@@ -341,9 +350,9 @@ class Driving(Choosing):
         self.query_one(OfferList).show(self.offer)
         self._draw()
 
-    def action_leave(self) -> None:
-        """While classes are searched: keep what there is; else close."""
-        if self.searching and not self._enough:
+    def action_take(self) -> None:
+        """While it is searched: keep what there is by then."""
+        if self.searching:
             self._enough = True
-            return
-        Searching.action_leave(self)
+        else:
+            super().action_take()

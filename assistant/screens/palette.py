@@ -84,7 +84,7 @@ Add = Callable[..., None]
 
 def _actions(work: Workbench, add: Add) -> None:
     for action in ACTIONS:
-        if action.id not in HIDDEN:
+        if action.id not in HIDDEN and not (action.id == "drive" and work.no_drive()):
             keys = " ".join(
                 map(work.app.say, map(key_name, (work.app.key_map.get(action.id) or action.binding).split(",")[:2]))
             )

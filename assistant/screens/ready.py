@@ -18,7 +18,7 @@ from calc.design.model import STEPS
 from calc.design.unusual import unusual
 from calc.engine import sketch as engine
 from calc.sheet.check import Check
-from calc.sheet.text import COMMA, SEMICOLON, Amount, Name, Text, plural
+from calc.sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of
 from calc.studies.described import not_counted
 from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
@@ -34,7 +34,7 @@ from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import ready_words, states_of, verdict_of, whole_of
 from ..widgets.text import fit, pad, wrap
 from .dialogs import Once
-from .workbench_panes import WorkbenchPanes
+from .workbench_moves import WorkbenchMoves
 
 # actions that the page gives beside a step's key and a check's id
 REPORT, EXPORT, DRIVE, PALETTE = "report", "export", "drive", "palette"
@@ -262,7 +262,7 @@ class ReadyScreen(Once, Screen[str | None]):
         Binding("escape,q", "give('')", "Close", show=False),
         Binding("f8,p", f"give('{REPORT}')", "Report", show=False),
         Binding("e", f"give('{EXPORT}')", "Export", show=False),
-        Binding("t", f"give('{DRIVE}')", "Whole drive", show=False),
+        Binding(f"d,{BY_ID[DRIVE].binding}", f"give('{DRIVE}')", "Whole drive", show=False),
         Binding("ctrl+p,colon", f"give('{PALETTE}')", "Palette", show=False, id=PALETTE),
         Binding(SAVE.binding, "save", "Save", show=False, id=SAVE.id),
         Binding("i", f"unfold('{NOT_COUNTED}')", "What is not counted", show=False),
@@ -271,7 +271,7 @@ class ReadyScreen(Once, Screen[str | None]):
         Binding("up,k", "move(-1)", "Up", show=False),
     ]
 
-    def __init__(self, work: WorkbenchPanes, unfolded: str = "") -> None:
+    def __init__(self, work: WorkbenchMoves, unfolded: str = "") -> None:
         super().__init__()
         self.work, self.session, self.unfolded = work, work.session, unfolded
 
@@ -279,9 +279,10 @@ class ReadyScreen(Once, Screen[str | None]):
         yield Static(id="ready-title")
         yield Closing(self.session)
         keys = Text(
-            "{report} PDF · e export · {save} save · t drives · i not counted · Enter goes · Esc back",
+            "{report} PDF · e export · {save} save · {drives}i not counted · Enter goes · Esc back",
             report=self.app.shown_key(REPORT),
             save=self.app.shown_key(SAVE.id),
+            drives=Text("d whole drive · ") if not self.work.no_drive() else EMPTY,
         )
         yield Static(Content.styled(f" {self.app.say(keys)}", "dim"), id="ready-keys")
 

@@ -3,6 +3,7 @@
 
 import csv
 import io
+import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import ClassVar
@@ -69,13 +70,15 @@ class RemedyList(ItemList):
         )
 
     def result(self, way: RepairOption) -> Text:
-        return Text("locked: {reason} (k unlocks)", reason=way.locked) if way.locked else way.effect
+        return Text("locked: {reason} (k unlocks)", reason=way.locked) if way.locked else way.result
 
     def _columns(self, number: int, way: RepairOption, width: int) -> list[Content]:
         say, signs = self.app.say, self.app.signs
         arrow = signs.mark("then")
         kind, change, rest = say(way.kind), say(way.words).replace("→", arrow), say(way.rest)
         state = "blocked" if way.locked else SIGN.get(way.quality, "fail")
+        if state == "pass" and way.side.opens:
+            state = "warn"
         result, style = f"{signs.mark(state)} {say(self.result(way))}", signs.style(state)
         kinds = max(len(say(other.kind)) for other in self.ways)
         start = f" {number} "
@@ -109,9 +112,10 @@ class RemedyList(ItemList):
 
 # --- the dialog
 
-SECONDS = 6.0  # after which no further kind is begun
 NARROW = 100  # cells below which the list has the whole screen
-HINT = Text("Enter or the number of a row applies it · k locks the input · w writes a table · Esc")
+HINT = Text(
+    "Enter or the number of a row applies it · = compares now → row · k locks the input · w writes a table · Esc stops"
+)
 
 
 def table(ways: tuple[RepairOption, ...], say: Language) -> str:
@@ -142,7 +146,7 @@ def table(ways: tuple[RepairOption, ...], say: Language) -> str:
             [
                 say(way.kind),
                 say(way.words),
-                say(way.effect),
+                say(way.result),
                 way.passes,
                 way.locked,
                 " ".join(way.changes),
@@ -161,6 +165,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         Binding("enter", "take(0)", "Apply", show=False),
         *(Binding(str(n), f"take({n})", "Apply", show=False) for n in range(1, 6)),
         Binding("k", "lock", "Lock the input", show=False),
+        Binding("equals_sign", "compare", "Compare with the design", show=False),
         Binding("w", "write", "Write a table", show=False),
         Binding("y,Y", "copy", "Copy the row", show=False),
     ]
@@ -195,12 +200,8 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             return Content.styled(
                 f"{signs.mark('no_solution')} {say(Text('{step}: no solution', step=TITLES[check]))}", "bold"
             )
-        text = Text(
-            "{check}: {value}, needs {limit}",
-            check=check.name,
-            value=Amount(check.value, check.unit),
-            limit=check.limit_text(),
-        )
+        known = Amount(check.value, check.unit) if math.isfinite(check.value) else Text("not known")
+        text = Text("{check}: {value}, needs {limit}", check=check.name, value=known, limit=check.limit_text())
         rows = wrap(f"{signs.mark(check.verdict)} {say(text)}", self.room, 2)
         return Content("\n").join([Content.styled(row, f"bold {signs.style(check.verdict)}") for row in rows])
 
@@ -211,7 +212,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         super().begin()
 
     def search(self, progress: Progress) -> Iterator[RepairOption]:
-        yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
+        yield from search(self.session.document, self.finding, self.session.results, progress)
 
     def show_found(self, result: RepairOption) -> None:
         self.found.append(result)
@@ -251,9 +252,8 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         if way is not None and way.left:
             still = Text("still open: {checks}", checks=Text(", ").join(way.left))
             lines += [Content.styled(row, "dim") for row in wrap(say(still), self.room, 2)[:2]]
-        if way is not None and len(way.breaks) > 2:
-            fails = Text("then fails: {checks}", checks=Text(", ").join(way.breaks))
-            lines += [Content.styled(row, "dim") for row in wrap(say(fails), self.room, 2)[:2]]
+        if way is not None and way.side.words and (way.side.opens or len(way.breaks) > 2):
+            lines += [Content.styled(row, "dim") for row in wrap(say(way.side.words), self.room, 2)[:2]]
         self.query_one("#remedies-preview", Static).update(Content("\n").join(lines))
 
     # --- what the keys do
@@ -268,6 +268,11 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             )
         else:
             self.dismiss(way)
+
+    def action_compare(self) -> None:
+        """The design as it is, and that of the row under the cursor."""
+        if (way := self.way) is not None and way.changes:
+            self.compare(way.kind, way.changes, lambda: self.dismiss(way))
 
     def action_lock(self) -> None:
         """Lock the input that the row changes, of several the first, or unlock it, and search anew."""

@@ -4,6 +4,7 @@
 The search runs aside and can be stopped; of the row under the cursor the whole design is solved before it is taken, so
 that its price in the other steps is seen."""
 
+import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
@@ -25,15 +26,18 @@ from calc.sheet.errors import BadInput, Cancelled, NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.step import OF_SHAFTS
 from calc.sheet.text import EMPTY, SEMICOLON, Text
+from calc.studies.repair.effects import SideEffects, side_effects
 
 from ..base_app import BaseApp
 from ..offers import Offer, offer
+from ..session.compare_with import Chosen
 from ..session.editing import applied, locked_text, told
 from ..session.session import Session
 from ..session.solving import Answer, Job, mistake, run
 from ..widgets.item_list import Item, ItemList
 from ..widgets.table_list import Setter
 from ..widgets.text import wrap
+from .compare import TAKEN, CompareScreen
 from .dialogs import Once
 
 if TYPE_CHECKING:
@@ -43,7 +47,7 @@ if TYPE_CHECKING:
 # --- a dialog whose rows a long search finds in another thread
 # How far it is, what it gives, and what each row does to every step.
 
-Chosen = TypeVar("Chosen")
+Taken = TypeVar("Taken")
 Found = TypeVar("Found")
 
 
@@ -54,11 +58,25 @@ def mistakes_text(bad: BadInput) -> Text:
     )
 
 
-class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
+SOON, SURE = 3.0, 0.05  # s, and the share of a search, before which nothing is said of the time that is left
+
+
+def time_left(seconds: float, share: float) -> Text:
+    """About how long a search still takes that came so far in so many seconds; empty where nobody can know yet."""
+    if seconds < SOON or not SURE <= share < 1:
+        return EMPTY
+    left = seconds * (1 - share) / share
+    if left >= 90:
+        return Text("about {n} min left", n=round(left / 60))
+    return Text("about {n} s left", n=max(1, round(left) if left < 10 else 5 * round(left / 5)))
+
+
+class Searching(Once, ModalScreen[Taken], Generic[Taken, Found]):
     """Gives what was chosen.  `STATE`: the row that tells the search; `BAR`: cells of its progress; `BEHIND`: what
     stands behind that."""
 
     app: BaseApp
+    session: Session
     STATE: ClassVar[str]
     BAR: ClassVar[int]
     BEHIND: ClassVar[Text] = EMPTY
@@ -71,6 +89,7 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
     def __init__(self) -> None:
         super().__init__()
         self.searching = False
+        self._begun = 0.0
         self._round = 0  # what an earlier search still sends is dropped
 
     # --- what a dialog says for itself
@@ -94,6 +113,7 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
     def begin(self) -> None:
         """Search, from the start again if need be."""
         self.searching = True
+        self._begun = time.monotonic()
         self._round += 1
         self.show_state(self.app.say(Text("searching …")))
         self._search(self._round)
@@ -127,7 +147,9 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
         full, empty = ("#", ".") if self.app.ascii else ("█", "░")
         done, say = round(share * self.BAR), self.app.say
         bar = f"{full * done}{empty * (self.BAR - done)} {share:4.0%}"
-        self.show_state(f"{say(Text('searching …'))}  {bar}  {say(what)}   {say(self.BEHIND)}".rstrip())
+        left = say(time_left(time.monotonic() - self._begun, share))
+        told = [f"{say(Text('searching …'))}  {bar}", say(what), left, say(self.BEHIND)]
+        self.show_state("  ".join(filter(None, told[:2])) + "".join(f"   {text}" for text in told[2:] if text))
 
     def _found(self, number: int, result: Found) -> None:
         if number == self._round:
@@ -158,6 +180,17 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
                 row = Content("")
             row = Content.assemble(row, "   " if row else "", part)
         return [*rows, row]
+
+    def compare(self, name: Text, changes: Iterable[str], take: Callable[[], object]) -> None:
+        """The design now → with a row taken; Enter there takes it."""
+        document = applied(self.session.document, changes)
+        row = Chosen(name, name, document.data, design(document))
+
+        def done(result: str | None) -> None:
+            if result == TAKEN:
+                take()
+
+        self.app.push_screen(CompareScreen(self.session, row, on=True), done)
 
     # --- what the keys do
     def action_move(self, by: int) -> None:
@@ -235,7 +268,7 @@ class OfferList(ItemList):
 
 # --- the dialog of an offer
 
-HINT = Text("Enter takes the row (undo takes it back), ↑ ↓ go through the rows, Esc goes back")
+HINT = Text("Enter takes the row (undo takes it back), ↑ ↓ go through the rows, = compares now → row, Esc goes back")
 
 
 @dataclass(frozen=True)
@@ -246,6 +279,13 @@ class Preview:
     changes: tuple[str, ...] = ()
     results: "Results | None" = None
     why: Text = EMPTY
+    shut: Text = EMPTY  # what is locked that it would change
+    side: SideEffects | None = None
+
+    @property
+    def warns(self) -> Text:
+        """What it breaks and opens; empty where nothing, or where it can not be taken."""
+        return self.side.words if self.side is not None else EMPTY
 
 
 def _refused(preview: Preview) -> Text:
@@ -261,6 +301,7 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         Binding("k", "move(-1)", "Up", show=False),
         Binding("y", "copy('value')", "Copy the row", show=False),
         Binding("Y", "copy('line')", "Copy the row with its columns", show=False),
+        Binding("equals_sign", "compare", "Compare with the design", show=False),
     ]
 
     @dataclass
@@ -350,8 +391,12 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             return Preview(number, why=mistakes_text(bad))
         except Exception as error:  # a mistake of the program must not take the user's work with it
             return Preview(number, why=mistake(error))
-        answer: Answer = run(Job(0, trial, self.session.results, stop))
-        return Preview(number, changes, answer.results, answer.failure)
+        before = self.session.results
+        answer: Answer = run(Job(0, trial, before, stop))
+        shut = locked_text(self.session.document, changes)
+        if answer.results is None or before is None or not self.session.current:
+            return Preview(number, changes, answer.results, answer.failure, shut)
+        return Preview(number, changes, answer.results, EMPTY, shut, side_effects(before, answer.results))
 
     def on_choosing_previewed(self, event: Previewed) -> None:
         event.stop()
@@ -360,7 +405,8 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         if event.preview.number == self.number:
             self._show(event.preview)
             if self._wanted == self.number:
-                self.action_take()
+                self._wanted = 0
+                self._take(event.preview, warned=False)
 
     def _show(self, preview: Preview) -> None:
         """What the row changes, and the verdicts of all six steps with it."""
@@ -372,11 +418,16 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             changes = told(self.session.document, preview.changes) or Text("the design as it is")
             text = Text("Row {n}: {changes}", n=preview.number, changes=changes)
             rows = [Content(row) for row in wrap(say(text), self.room, 2)[:3]]
-            if shut := locked_text(self.session.document, preview.changes):
-                text = Text("Row {n} {changes}", n=preview.number, changes=shut)
-                rows += [Content.styled(row, self.app.signs.style("warn")) for row in wrap(say(text), self.room, 2)]
+            for what, state in ((preview.shut, "blocked"), (preview.warns, self._colour(preview))):
+                if what:
+                    words = say(Text("Row {n}: {what}", n=preview.number, what=what))
+                    lines = wrap(f"{self.app.signs.mark(state)} {words}", self.room, 2)[:2]
+                    rows += [Content.styled(row, self.app.signs.style(state)) for row in lines]
             rows += self._verdicts(preview.results)
         self.query_one("#choosing-preview", Static).update(Content("\n").join(rows))
+
+    def _colour(self, preview: Preview) -> str:
+        return "fail" if preview.side is not None and preview.side.breaks else "warn"
 
     def _verdicts(self, results: "Results") -> list[Content]:
         before = self.session.results
@@ -398,10 +449,29 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         preview = self.previews.get(number)
         if preview is None:  # it is being solved since the cursor came there
             self._wanted = number
-        elif preview.results is None:
+        else:
+            self._take(preview, warned=True)
+
+    def _take(self, preview: Preview, *, warned: bool) -> None:
+        """`warned`: whether what it breaks and opens stood there when Enter was pressed."""
+        if preview.results is None:
             self.app.tell(_refused(preview), "warning")
+        elif preview.shut:
+            text = Text("Row {n} {changes}. k on the field unlocks it.", n=preview.number, changes=preview.shut)
+            self.app.tell(text, "warning")
+        elif preview.warns and not warned:
+            self.app.tell(Text("Row {n}: {what}. Enter takes it.", n=preview.number, what=preview.warns), "warning")
         else:
             self.dismiss(preview.changes)
+
+    def row_name(self, number: int) -> Text:
+        return Text("row {n}", n=number)
+
+    def action_compare(self) -> None:
+        """The design as it is, and that of the row under the cursor."""
+        preview = self.previews.get(self.number)
+        if preview is not None and preview.results is not None:
+            self.compare(self.row_name(preview.number), preview.changes, lambda: self._take(preview, warned=True))
 
     def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
         event.stop()

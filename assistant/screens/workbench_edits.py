@@ -191,9 +191,9 @@ class WorkbenchEdits(WorkbenchMoves):
     async def _remedied(self, generation: int, finding: Check | str, way: "RepairOption | None") -> None:
         if way is not None and way.changes:
             effect = (
-                Text("{check} {result}", check=finding.name, result=way.effect)
-                if isinstance(finding, Check)
-                else way.effect
+                Text("{check} {result}", check=finding.name, result=way.result)
+                if isinstance(finding, Check) and way.passes and not way.breaks
+                else way.result
             )
             result = Text("{change}: {result}. Undo takes it back.", change=way.words, result=effect)
             self.apply(way.changes, result)
@@ -220,8 +220,8 @@ class WorkbenchEdits(WorkbenchMoves):
 
     def action_drive(self) -> None:
         """The front of whole drives."""
-        if not self.session.valid:
-            self.app.tell(Text("First the input has to be valid."), "warning")
+        if why := self.no_drive():
+            self.app.tell(why, "warning")
             return
         from .drive import Driving
 

@@ -168,8 +168,8 @@ def settled(document: Document, changes: Changes) -> Changes:
     written: Changes = {}
     for key, new in changes.items():
         about, now = quantity_of(document.data, key), value_at(document.data, key)
-        olds, news = as_list(now), as_list(new)
-        if about.kind in NUMBERS and len(olds) == len(news) and all(isinstance(x, (int, float)) for x in (*olds, *news)):
+        olds, news = ([x for x in as_list(value) if isinstance(x, (int, float))] for value in (now, new))
+        if about.kind in NUMBERS and len(olds) == len(news) == len(as_list(new)) > 0:
             numbers = [on_grid(about, a, b) for a, b in zip(olds, news)]
             written[key] = numbers if isinstance(new, (list, tuple)) else numbers[0]
         else:
