@@ -4,15 +4,17 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from typing import Any
 
 from calc.bearings import choice as kinds
 from calc.bearings import choice_tables as kind_tables
 from calc.bearings.choice import plain_case
+from calc.bearings.inputs import BearingsInputs
 from calc.bearings.plain.selection import search as bearing_search
 from calc.bearings.plain.selection import tables as bearing_tables
 from calc.bearings.plain.selection import together
 from calc.bearings.plain.selection.search import BearingsFound, Settled
-from calc.bearings.plain.selection.variants import SUPPLY, SelectionCase
+from calc.bearings.plain.selection.variants import SUPPLY, SelectionCase, with_own_oil
 from calc.bearings.plain.selection.writing import bearing_changes
 from calc.countershaft.sizing import choices as sizing
 from calc.countershaft.sums import SystemShaft
@@ -59,6 +61,15 @@ class Offer:
     def changes(self, number: int) -> list[str]:
         """What writes a row into the design, as KEY=VALUE.  Raises NoSolution where the row does not hold after all."""
         return assignments(self.keys(number))
+
+
+Held = Callable[[str], str]  # why an input is held; empty where a search may move it
+OIL = dotted(Design.bearings, BearingsInputs.oil)
+
+
+def not_held(key: str) -> str:
+    """Nothing is: every row is shown, and what it changes of what is locked is said beside it."""
+    return ""
 
 
 def _engine(design: Design, file: str, progress: Progress | None = None) -> Offer:
@@ -128,11 +139,21 @@ def _beside(design: Design, name: str) -> tuple[SystemShaft, ...]:
     )
 
 
-def _bearings(design: Design, file: str, progress: Progress | None = None, name: str = "", aim: str = "loss") -> Offer:
+def _bearings(
+    design: Design,
+    file: str,
+    progress: Progress | None = None,
+    name: str = "",
+    aim: str = "loss",
+    results: Results | None = None,
+    held: Held = not_held,
+) -> Offer:
     """Bearings to choose from, for one shaft of the design and its twins: lengths, clearances, oils and supplies that
     fit the shaft and keep every rule at the worst corner."""
     assert design.bearings is not None
-    case = bearings_case(design, solve, shaft=name)
+    case = bearings_case(design, solve, results, name)
+    if held(OIL):
+        case = with_own_oil(case)
     return _plain(_search_plain(case, aim, progress)) if aim == "film" else _kinds(design, case, aim, progress)
 
 
@@ -380,9 +401,12 @@ def offer(
     progress: Progress | None = None,
     shaft: str | None = None,
     aim: str | None = None,
+    results: Results | None = None,
+    held: Held = not_held,
 ) -> Offer:
     """Search; `shaft`: of which of several shafts, else of that whose limits are the worst; `aim`: what bearings are
-    chosen for, "loss", "size" or "film".  Raises BadInput where the
+    chosen for, "loss", "size" or "film"; `results`: where the design is solved already; `held`: what no row may change,
+    as far as a search knows of it.  Raises BadInput where the
     design lacks what the search needs, NoSolution where there is nothing to offer; `progress` may raise `Cancelled`."""
     needed, why, search = OFFERS[step]
     missing = next((key for key in needed if getattr(design, key) is None), None)
@@ -394,7 +418,9 @@ def offer(
         raise BadInput("--for", [InputError(0, "", aim, Text("is for bearings alone"))])
     if step not in OF_SHAFTS:
         return search(design, file, progress)
-    aimed = {} if aim is None else {"aim": aim}
+    aimed: dict[str, Any] = {} if aim is None else {"aim": aim}
+    if step == "bearings":
+        aimed |= {"results": results, "held": held}
     found = search(design, file, progress, name := shaft or _worst(step, design), **aimed)
     if len(design.originals) == 1:
         return found

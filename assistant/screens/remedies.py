@@ -20,7 +20,8 @@ from calc.locale import Language
 from calc.sheet.check import Check
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
-from calc.studies.repair.options import ALL_CORNERS, AS_GIVEN, NEAR, RepairOption, ranked, search
+from calc.studies.repair.nearest import NearestRemedy
+from calc.studies.repair.options import ALL_CORNERS, AS_GIVEN, LOCKED, NEAR, RepairOption, ranked, search
 
 from ..session.saving import SaveError, free_name, write_atomic
 from ..session.session import Session
@@ -76,7 +77,7 @@ class RemedyList(ItemList):
         say, signs = self.app.say, self.app.signs
         arrow = signs.mark("then")
         kind, change, rest = say(way.kind), say(way.words).replace("→", arrow), say(way.rest)
-        state = "blocked" if way.locked else SIGN.get(way.quality, "fail")
+        state = "blocked" if way.quality == LOCKED else SIGN.get(way.quality, "fail")
         if state == "pass" and way.side.opens:
             state = "warn"
         result, style = f"{signs.mark(state)} {say(self.result(way))}", signs.style(state)
@@ -170,10 +171,11 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         Binding("y,Y", "copy", "Copy the row", show=False),
     ]
 
-    def __init__(self, session: Session, finding: Check | str) -> None:
-        """`finding`: a check, or the key of a step without a solution."""
+    def __init__(self, session: Session, finding: Check | str, nearest: NearestRemedy | None = None) -> None:
+        """`finding`: a check, or the key of a step without a solution; `nearest`: the remedy of its step, where it is
+        known."""
         super().__init__()
-        self.session, self.finding = session, finding
+        self.session, self.finding, self.nearest = session, finding, nearest
         self.found: list[RepairOption] = []
 
     def compose(self) -> ComposeResult:
@@ -212,7 +214,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         super().begin()
 
     def search(self, progress: Progress) -> Iterator[RepairOption]:
-        yield from search(self.session.document, self.finding, self.session.results, progress)
+        yield from search(self.session.document, self.finding, self.session.results, progress, nearest=self.nearest)
 
     def show_found(self, result: RepairOption) -> None:
         self.found.append(result)
@@ -266,6 +268,8 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             self.app.tell(
                 Text("{kind} is locked: {reason}. k unlocks it.", kind=way.kind, reason=way.locked), "warning"
             )
+        elif way.quality == LOCKED:
+            self.app.tell(Text("{kind}: {result}.", kind=way.kind, result=way.result), "warning")
         else:
             self.dismiss(way)
 
@@ -281,6 +285,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             return
         key = way.keys[0]
         self.session.toggle_lock(key)
+        self.nearest = None  # which is that of other locks
         locked = bool(self.session.lock_reason(key))
         what = named(self.session.document, key)
         self.app.tell(

@@ -19,14 +19,21 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 from textual.worker import get_current_worker
 
+from calc.design.addresses import quantity_of, step_at, value_at
+from calc.design.locks import locked, standing
 from calc.design.model import OPTIONAL, STEPS, TITLES
-from calc.design.toml_file import design
+from calc.design.names import words as words_of
+from calc.design.names import written
+from calc.design.toml_file import Document, design
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput, Cancelled, NoSolution
-from calc.sheet.progress import Progress
-from calc.sheet.step import OF_SHAFTS
+from calc.sheet.progress import Progress, part
+from calc.sheet.remedy import Changes, assignments
+from calc.sheet.step import OF_SHAFTS, Table
 from calc.sheet.text import EMPTY, SEMICOLON, Text
 from calc.studies.repair.effects import SideEffects, side_effects
+from calc.studies.repair.nearest import NearestRemedy, remedy
+from calc.studies.repair.options import QUICK
 
 from ..base_app import BaseApp
 from ..offers import Offer, offer
@@ -279,6 +286,7 @@ class Preview:
     changes: tuple[str, ...] = ()
     results: "Results | None" = None
     why: Text = EMPTY
+    words: Text = EMPTY  # the changes, in the labels of the fields
     shut: Text = EMPTY  # what is locked that it would change
     side: SideEffects | None = None
 
@@ -290,6 +298,45 @@ class Preview:
 
 def _refused(preview: Preview) -> Text:
     return Text("Row {n} can not be taken: {reason}", n=preview.number, reason=preview.why)
+
+
+def held_words(document: Document, step: str) -> Text:
+    """What is locked of the inputs of a step, with its value and why; empty where nothing is."""
+    texts = [
+        Text(
+            "{label} {value} ({reason})",
+            label=quantity_of(document.data, key).label,
+            value=written(value_at(document.data, key)),
+            reason=reason,
+        )
+        for key, reason in standing(document.data).items()
+        if step_at(document.data, key) == step and key.count(".")
+    ]
+    return Text("Held: {inputs}.", inputs=SEMICOLON.join(texts)) if texts else EMPTY
+
+
+def nothing(number: int) -> Changes:
+    return {}
+
+
+NOTHING = Offer(0, lambda top: Table("choices", EMPTY, (), ()), nothing, lambda n: EMPTY, EMPTY)
+
+
+def with_nearest(offer: Offer, nearest: NearestRemedy) -> Offer:
+    """The same, headed by the remedy of the step that F5 has too: the nearest design in which its limits hold."""
+    number = offer.count + 1
+    columns = ((Text("no."), ""), (Text("change"), ""), (Text("then"), ""))
+    table = Table(
+        "nearest", Text("Nearest to the design, as F5 has it"), columns, ((number, nearest.words, nearest.said),)
+    )
+    return replace(
+        offer,
+        count=number,
+        table=lambda top: table,
+        keys=lambda n: nearest.made if n == number else offer.keys(n),
+        said=lambda n: nearest.said if n == number else offer.said(n),
+        beside=lambda top: (offer.table(top), *offer.beside(top)) if offer.count else (),
+    )
 
 
 class Choosing(Searching[tuple[str, ...] | None, Offer]):
@@ -308,9 +355,10 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
     class Previewed(Message):
         preview: Preview
 
-    def __init__(self, session: Session, step: str) -> None:
+    def __init__(self, session: Session, step: str, nearest: NearestRemedy | None = None) -> None:
+        """`nearest`: the remedy of the step, where it is known."""
         super().__init__()
-        self.session, self.step = session, step
+        self.session, self.step, self.nearest = session, step, nearest
         self.offer: Offer | None = None
         self.previews: dict[int, Preview] = {}
         self._solving = 0  # the row that is being solved
@@ -338,9 +386,30 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        session = self.session
-        shaft = session.original if self.step in OF_SHAFTS and session.original in session.design.originals else None
-        result = offer(self.step, session.design, session.name, progress, shaft=shaft)
+        session, step = self.session, self.step
+        document, known = session.document, session.results if session.current else None
+        nearest, begun = self.nearest, 0.0
+        if nearest is None and known is not None and known.outcomes[step].verdict in ("fail", "no_solution"):
+            nearest, begun = remedy(document, step, known, part(progress, 0.0, 0.3), tries=QUICK), 0.3
+        shaft = session.original if step in OF_SHAFTS and session.original in session.design.originals else None
+        try:
+            result = offer(
+                step,
+                session.design,
+                session.name,
+                part(progress, begun, 1.0),
+                shaft=shaft,
+                results=known,
+                held=lambda key: locked(document.data, key),
+            )
+        except NoSolution as none:
+            if nearest is None or not nearest.mends:
+                raise
+            result = replace(NOTHING, notes=(Text("Nothing else to choose: {reason}", reason=none.text),))
+        if nearest is not None and nearest.mends:
+            result = with_nearest(result, nearest)
+        shut = held_words(document, step)
+        result = replace(result, summary=(*result.summary, *([shut] if shut else [])))
         # made here: some solve once more, for which the screen must neither wait nor end
         table, beside = result.table(TOP), result.beside(TOP)
         yield replace(result, table=lambda top: table, beside=lambda top: beside)
@@ -383,7 +452,8 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         """The whole design with a row taken; runs in any thread."""
         assert self.offer is not None
         try:
-            changes = tuple(self.offer.changes(number))
+            keys = self.offer.keys(number)
+            changes = tuple(assignments(keys))
             trial = design(applied(self.session.document, changes))
         except NoSolution as none:
             return Preview(number, why=none.text)
@@ -393,10 +463,21 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             return Preview(number, why=mistake(error))
         before = self.session.results
         answer: Answer = run(Job(0, trial, before, stop))
-        shut = locked_text(self.session.document, changes)
+        shut, words = locked_text(self.session.document, changes), self._words(keys)
         if answer.results is None or before is None or not self.session.current:
-            return Preview(number, changes, answer.results, answer.failure, shut)
-        return Preview(number, changes, answer.results, EMPTY, shut, side_effects(before, answer.results))
+            return Preview(number, changes, answer.results, answer.failure, words, shut)
+        return Preview(number, changes, answer.results, EMPTY, words, shut, side_effects(before, answer.results))
+
+    def _words(self, keys: Changes) -> Text:
+        """As remedies say it; of elements that only the changes make, by their keys."""
+        document, results = self.session.document, self.session.results
+        try:
+            different = {key: value for key, value in keys.items() if value_at(document.data, key) != value}
+            if results is not None:
+                return words_of(document, results, different) if different else EMPTY
+        except BadInput:
+            pass
+        return told(document, assignments(keys))
 
     def on_choosing_previewed(self, event: Previewed) -> None:
         event.stop()
@@ -415,9 +496,9 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         if preview.results is None:
             rows = [Content(row) for row in wrap(say(_refused(preview)), self.room)]
         else:
-            changes = told(self.session.document, preview.changes) or Text("the design as it is")
+            changes = preview.words or Text("the design as it is")
             text = Text("Row {n}: {changes}", n=preview.number, changes=changes)
-            rows = [Content(row) for row in wrap(say(text), self.room, 2)[:3]]
+            rows = [Content(row) for row in wrap(say(text).replace("→", self.app.signs.mark("then")), self.room, 2)[:3]]
             for what, state in ((preview.shut, "blocked"), (preview.warns, self._colour(preview))):
                 if what:
                     words = say(Text("Row {n}: {what}", n=preview.number, what=what))

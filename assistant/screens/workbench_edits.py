@@ -166,7 +166,9 @@ class WorkbenchEdits(WorkbenchMoves):
             return
         from .remedies import Remedies
 
-        self.app.push_screen(Remedies(session, finding), partial(self._remedied, session.generation, finding))
+        step = finding if isinstance(finding, str) else finding.id.partition(".")[0]
+        dialog = Remedies(session, finding, self.known_remedy(step))
+        self.app.push_screen(dialog, partial(self._remedied, session.generation, finding))
 
     def _finding(self) -> Check | str | None:
         """A check, or the key of a step without a solution."""
@@ -216,7 +218,7 @@ class WorkbenchEdits(WorkbenchMoves):
             return
         from .selection import Choosing
 
-        self.app.push_screen(Choosing(self.session, self.step.key), self._chosen)
+        self.app.push_screen(Choosing(self.session, self.step.key, self.known_remedy(self.step.key)), self._chosen)
 
     def action_drive(self) -> None:
         """The front of whole drives."""

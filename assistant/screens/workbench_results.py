@@ -314,7 +314,11 @@ class WorkbenchResults(WorkbenchPanes):
     @property
     def remedy(self) -> "NearestRemedy | None":
         """The remedy for that step, if it is known already."""
-        results, known = self.remedies.get(self.trouble, (None, None))
+        return self.known_remedy(self.trouble)
+
+    def known_remedy(self, step: str) -> "NearestRemedy | None":
+        """That of any step."""
+        results, known = self.remedies.get(step, (None, None))
         return known if results is not None and results is self.session.results else None
 
     def seek_remedy(self) -> None:

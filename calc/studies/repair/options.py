@@ -57,14 +57,14 @@ from ...sheet.progress import Progress, part, tell
 from ...sheet.quantity import Quantity, dotted
 from ...sheet.remedy import Changes, assignments
 from ...sheet.search import Budget, closer, rounded
-from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
+from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Small, Text, plural
 from ...sheet.verdict import named as named_checks
 from ...solve import Results, solve
 from . import sizing
 from .effects import NO_EFFECTS, SideEffects, side_effects
 from .levers import Lever, called, disturbance, free_keys, kind_of, levers, named_keys, place_of, settled, words_of
-from .nearest import remedy
-from .state import ORDER, RepairState, broken, closer_limits, is_mended, state_of
+from .nearest import NearestRemedy, remedy
+from .state import ORDER, RepairState, broken, closer_limits, held, is_mended, state_of
 from .trials import ROUND, Trials
 
 # --- one way to mend a finding: what it changes, how far it comes, and what it does to all the rest
@@ -82,7 +82,7 @@ class RepairOption:
     still open in the group; `breaks`: names of limits that are judged worse then, and of steps without a solution;
     `closer`: of limits that come closer to failing, or further out, in words. `verdicts`: step, before, after. `power`
     [W], `mass` [kg]: before and after, of the crank's loss and the shaft; `cold` [µm]: the cold clearance, of a
-    bearing. `locked`: why it was not looked at."""
+    bearing. `locked`: by what lock it was not looked at; what is held otherwise says so in `effect`."""
 
     kind: Text
     keys: tuple[str, ...]
@@ -137,10 +137,10 @@ class RepairOption:
 
 
 def ranked(ways: Iterable[RepairOption]) -> tuple[RepairOption, ...]:
-    """The best few, what is locked last."""
+    """The best few, what is held last."""
     every = sorted(ways, key=_rank)
-    shut = sorted((way for way in every if way.locked), key=lambda way: way.keys[0] in USUAL)[:SHUT]
-    return (*[way for way in every if not way.locked][: MOST - len(shut)], *shut)
+    shut = sorted((way for way in every if way.quality == LOCKED), key=lambda way: way.keys[0] in USUAL)[:SHUT]
+    return (*[way for way in every if way.quality != LOCKED][: MOST - len(shut)], *shut)
 
 
 def repair_option(
@@ -236,12 +236,12 @@ SETS = 12  # changes of one kind that are tried as they are
 
 @dataclass(frozen=True)
 class LeverPlan:
-    """One kind of remedy: its keys, what can be moved, what can be tried; `reason`: why its one key is locked."""
+    """One kind of remedy: its keys, what can be moved, what can be tried; `reason`: why its one key is held."""
 
     keys: tuple[str, ...]
     levers: tuple[Lever, ...] = ()
     sets: tuple[Changes, ...] = ()
-    reason: str = ""
+    reason: Text = EMPTY
 
 
 def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[LeverPlan]:
@@ -255,10 +255,7 @@ def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[Lever
     for key in dict.fromkeys([*first, *named_keys(state, group), *free_keys(state, step, group)[0]]):
         by_kind.setdefault(kind_of(document, key), []).append(key)
     shut = [
-        LeverPlan((key,), reason=reason)
-        for keys in by_kind.values()
-        for key in keys
-        if (reason := locked(document.data, key))
+        LeverPlan((key,), reason=reason) for keys in by_kind.values() for key in keys if (reason := held(state, key))
     ]
     by_first = [(kind_of(document, key), changes) for key, changes in zip(first, tried)]
     filled = (
@@ -270,9 +267,8 @@ def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[Lever
 
 def _filled(state: RepairState, keys: list[str], tried: list[Changes]) -> LeverPlan | None:
     """With its levers and its changes of what is free; None where it has none."""
-    data = state.document.data
-    free = [key for key in keys if not locked(data, key)]
-    sets = [changes for changes in tried if not any(locked(data, key) for key in changes)]
+    free = [key for key in keys if not held(state, key)]
+    sets = [changes for changes in tried if not any(held(state, key) for key in changes)]
     sets += [changes for key in free for changes in _words(state, key)]
     by_place: dict[str, list[str]] = {}
     for key in free:
@@ -462,9 +458,10 @@ def search(
     results: Results | None = None,
     progress: Progress | None = None,
     seconds: float | None = None,
+    nearest: NearestRemedy | None = None,
 ) -> Iterator[RepairOption]:
     """Remedies of one finding, or of a step without a solution, each as soon as it is found.  `progress` may raise
-    `Cancelled`; `seconds`: after so many no further kind is begun."""
+    `Cancelled`; `seconds`: after so many no further kind is begun; `nearest`: that of the step, where it is known."""
     state, ends = state_of(document, results), math.inf if seconds is None else time.monotonic() + seconds
     step = finding if isinstance(finding, str) else finding.id.partition(".")[0]
     group = () if isinstance(finding, str) else group_of(state.results, finding)
@@ -486,7 +483,10 @@ def search(
         if time.monotonic() > ends:
             return
         here = part(progress, n / (len(free) + 1), (n + 1) / (len(free) + 1))
-        way = _best(state, step, group, plan, here) if plan is not None else _whole_step(state, step, group, here)
+        if plan is not None:
+            way = _best(state, step, group, plan, here)
+        else:
+            way = _whole_step(state, step, group, here, nearest)
         if way is not None and way.changes not in known:
             known.add(way.changes)
             yield way
@@ -507,17 +507,24 @@ def _computed(
             yield replace(way, effect=done) if way.passes and each.effect else way
 
 
+WHOLE_STEP = Text("all of the step at once")
+QUICK = 20  # whole designs that the search for the nearest may solve over single numbers, while somebody waits
+
+
 def _whole_step(
-    state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None
+    state: RepairState,
+    step: str,
+    group: tuple[Check, ...],
+    progress: Progress | None,
+    nearest: NearestRemedy | None,
 ) -> RepairOption | None:
     """The nearest design in which all limits of the step hold."""
-    nearest = remedy(state.document, step, state.results, progress, tries=20)
+    nearest = nearest or remedy(state.document, step, state.results, progress, tries=QUICK)
     if not nearest.changes or (not nearest.mends and group):
         return None
     after = RepairState(nearest.document, nearest.results)
-    keys = [change.partition("=")[0] for change in nearest.changes]
-    changes = {key: value_at(nearest.document.data, key) for key in keys}
-    way = repair_option(state, after, changes, group, Text("all of the step at once"))
+    changes = nearest.made
+    way = repair_option(state, after, changes, group, WHOLE_STEP)
     return way if way.quality < NEAR else None
 
 
@@ -600,4 +607,8 @@ def _locked(state: RepairState, plan: LeverPlan, group: tuple[Check, ...]) -> Re
     text = Text("{label} {value}", label=label, value=written(now)) if now is not None else label
     thicker = film and quantity_of(document.data, key).catalogue == "oils"
     name = change.more if thicker else change.other or change.less
-    return RepairOption(name, plan.keys, words=text, effect=Text("not looked at"), locked=plan.reason)
+    shut = locked(document.data, key)
+    effect = Text("not looked at") if shut else Text("held: {reason}", reason=plan.reason)
+    if not shut:  # in which direction it would have to go is not known
+        name = Small(quantity_of(document.data, key).label)
+    return RepairOption(name, plan.keys, words=text, effect=effect, locked=shut)

@@ -7,12 +7,12 @@ sizing search is taken."""
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import chain
 
 from ...bearings.choice import nearest_changes
 from ...bearings.inputs import BearingsInputs
 from ...bearings.plain.selection.search import nearest_row
+from ...bearings.plain.selection.variants import with_own_oil
 from ...bearings.plain.selection.writing import bearing_changes
 from ...countershaft.inputs import EccentricMass, ShaftInputs
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
@@ -55,7 +55,7 @@ def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: P
     for name in names:
         case = bearings_case(state.design, solve, state.results, name)
         if locked(state.document.data, dotted(Design.bearings, BearingsInputs.oil)):
-            case = replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
+            case = with_own_oil(case)
         settled = nearest_row(case, progress)
         written = bearing_changes(settled.row, case) if settled.row is not None else {}
         if not written:

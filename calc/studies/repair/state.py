@@ -5,9 +5,13 @@ place."""
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
+from ...bearings.plain.selection.variants import tied
+from ...countershaft.inputs import ShaftInputs
+from ...countershaft.rows import BearingRow
 from ...design.addresses import value_at
 from ...design.locks import locked
 from ...design.model import IN_SENTENCES, Design
+from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document, design
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, InputError, NoSolution
@@ -15,7 +19,7 @@ from ...sheet.progress import Progress
 from ...sheet.remedy import Changes
 from ...sheet.search import Trial, first_good
 from ...sheet.step import Outcome
-from ...sheet.text import Text
+from ...sheet.text import EMPTY, Name, Text
 from ...sheet.value import recorded
 from ...sheet.verdict import severity
 from ...solve import Results, solve
@@ -91,6 +95,18 @@ def state_of(document: Document, results: Results | None = None) -> RepairState:
     return RepairState(
         document, results if results is not None and results.design == wanted else solve(wanted, results)
     )
+
+
+def held(state: RepairState, key: str) -> Text:
+    """Why a search leaves an input as it is: it is locked, or a journal whose seat something is threaded through, which
+    the search for bearings holds too; empty where it may be moved."""
+    if reason := locked(state.document.data, key):
+        return Name(reason)
+    view = state.view(key)
+    for row in view.rows if view.bearings is not None else ():
+        if row.fed() and key == view.own_key(ShaftInputs.bearings, row.name, BearingRow.diameter):
+            return tied(bearings_case(state.design, solve, state.results, view.own_name), row)
+    return EMPTY
 
 
 def broken(before: RepairState, after: RepairState, steps: Iterable[str] = ORDER) -> list[str]:

@@ -9,7 +9,6 @@ from itertools import islice
 from math import inf, isnan, nan
 
 from ...design.addresses import value_at
-from ...design.locks import locked
 from ...design.model import IN_SENTENCES
 from ...sheet.check import THIN_MARGIN, Check
 from ...sheet.errors import BadInput, NoSolution
@@ -19,7 +18,7 @@ from ...sheet.search import Budget, crossing
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from .levers import Lever, free_keys, levers, named_keys, together
-from .state import ORDER, RepairState, broken, repaired
+from .state import ORDER, RepairState, broken, held, repaired
 
 PROBE = 0.02  # relative change by which a number is moved to see what it does
 STEP = 0.01  # least relative change from one that is tried to the next
@@ -177,7 +176,7 @@ def _given(state: RepairState, key: str) -> bool:
 
 
 def _one_by_one(state: RepairState, keys: Iterable[str]) -> Iterator[Lever]:
-    for one in together(key for key in keys if not locked(state.document.data, key)):
+    for one in together(key for key in keys if not held(state, key)):
         yield from islice(levers(state, one), 1)
 
 
