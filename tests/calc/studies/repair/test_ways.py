@@ -7,7 +7,7 @@ from calc.design.toml_file import Document, design, read
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
-from calc.studies.repair.options import NEAR, RepairOption, ranked, search
+from calc.studies.repair.options import LOCKED, NEAR, RepairOption, ranked, search
 from calc.studies.repair.state import broken, state_of
 from tests.calc.studies.repair.test_remedy import damaged, with_changes
 from tests.conftest import DESIGNS, ROOT
@@ -43,7 +43,7 @@ def test_remedies_of_several_kinds_do_what_they_say(gamma: Document, id: str, ki
     assert found[0].passes and not found[0].breaks
     for way in found:
         assert "_" not in way.words and "_" not in way.rest and way.words  # no key stands there
-        if way.locked:
+        if way.quality == LOCKED:
             continue
         after = state_of(with_changes(gamma, way.changes))
         there = finding(after.results, id)
@@ -78,7 +78,7 @@ def test_masses_that_leave_a_couple_are_set_each_in_its_way() -> None:
 
 def test_a_kind_that_does_not_reach_says_how_far_it_comes_and_breaks_nothing(gamma: Document) -> None:
     _, found = ways_of(gamma, "bearings.front.film_double_load")
-    near = [way for way in found if way.quality == NEAR and not way.locked]
+    near = [way for way in found if way.quality == NEAR]
     assert near and all(way.effect.startswith("comes to ") and not way.breaks for way in near)
 
 
@@ -88,7 +88,9 @@ def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(
     told: list[float] = []
     check = finding(gamma_results, "bearings.front.film_edge")
     first = next(
-        way for way in search(gamma, check, gamma_results, lambda share, what: told.append(share)) if not way.locked
+        way
+        for way in search(gamma, check, gamma_results, lambda share, what: told.append(share))
+        if way.quality != LOCKED
     )
     assert first.passes and max(told) < 0.3 and told == sorted(told)
 
