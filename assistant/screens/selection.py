@@ -7,6 +7,7 @@ that its price in the other steps is seen."""
 import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
 
 from textual import work
@@ -30,7 +31,7 @@ from calc.sheet.errors import BadInput, Cancelled, NoSolution
 from calc.sheet.progress import Progress, part
 from calc.sheet.remedy import Changes, assignments
 from calc.sheet.step import OF_SHAFTS, Table
-from calc.sheet.text import EMPTY, SEMICOLON, Text
+from calc.sheet.text import EMPTY, SEMICOLON, Text, plural
 from calc.studies.repair.effects import SideEffects, side_effects
 from calc.studies.repair.nearest import NearestRemedy, remedy
 from calc.studies.repair.options import QUICK
@@ -278,6 +279,9 @@ class OfferList(ItemList):
 HINT = Text("Enter takes the row (undo takes it back), ↑ ↓ go through the rows, = compares now → row, Esc goes back")
 
 
+NAMED = 8  # changes of a row that are told one by one
+
+
 @dataclass(frozen=True)
 class Preview:
     """A row, as changes of keys, and what the whole design then gives; or why it can not be taken."""
@@ -473,11 +477,17 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         document, results = self.session.document, self.session.results
         try:
             different = {key: value for key, value in keys.items() if value_at(document.data, key) != value}
-            if results is not None:
-                return words_of(document, results, different) if different else EMPTY
+            if results is None:
+                return told(document, assignments(keys))
+            first, n = dict(islice(different.items(), NAMED)), len(different) - NAMED
+            words = words_of(document, results, first) if first else EMPTY
         except BadInput:
-            pass
-        return told(document, assignments(keys))
+            return told(document, assignments(keys))
+        return (
+            plural("{changes} and {n} more input", "{changes} and {n} more inputs", n=n, changes=words)
+            if n > 0
+            else words
+        )
 
     def on_choosing_previewed(self, event: Previewed) -> None:
         event.stop()
@@ -551,7 +561,11 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
     def action_compare(self) -> None:
         """The design as it is, and that of the row under the cursor."""
         preview = self.previews.get(self.number)
-        if preview is not None and preview.results is not None:
+        if preview is None:
+            self.app.tell(Text("It is still being solved."))
+        elif preview.results is None:
+            self.app.tell(_refused(preview), "warning")
+        else:
             self.compare(self.row_name(preview.number), preview.changes, lambda: self._take(preview, warned=True))
 
     def on_item_list_chosen(self, event: ItemList.Chosen) -> None:

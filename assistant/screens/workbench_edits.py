@@ -12,7 +12,7 @@ from textual.geometry import Region
 from textual.notifications import SeverityLevel
 from textual.worker import get_current_worker
 
-from calc.design.addresses import as_table, asks
+from calc.design.addresses import address, as_table, asks
 from calc.design.model import MOST_SHAFTS, STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import BadInput, Cancelled
@@ -204,7 +204,7 @@ class WorkbenchEdits(WorkbenchMoves):
         else:  # something was locked, or unlocked
             self.rebuilt()
         if way is not None and not way.changes:  # which only names the field
-            await self.to_field(self.session.place(way.keys[0]))
+            await self.to_field(address(self.session.data, way.keys[0], whole=True))
 
     # --- tables to choose from
     def action_choose(self) -> None:

@@ -3,7 +3,7 @@
 
 Remedies and ranked tables say it in these words alike."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from ...design.model import IN_SENTENCES
@@ -14,6 +14,12 @@ from ...solve import Results
 from .state import ORDER, worse_limits
 
 NAMED = 2  # checks that are named, of more the number
+
+
+def listed(names: Sequence[Text]) -> Text:
+    """The first names, of more the number."""
+    first = COMMA.join(names[:NAMED])
+    return first if len(names) <= NAMED else Text("{names} and {more} more", names=first, more=len(names) - NAMED)
 
 
 @dataclass(frozen=True)
@@ -35,7 +41,7 @@ class SideEffects:
         """`then not kept: Safety of the root; opens 2 cautions: …`; empty where there is nothing to say."""
         parts = []
         if self.breaks:
-            parts.append(Text("then not kept: {checks}", checks=COMMA.join(self.breaks)))
+            parts.append(Text("then not kept: {checks}", checks=listed(self.breaks)))
         if self.opens:
             parts.append(Text("{opens}: {checks}", opens=self.counted, checks=named(self.opens, NAMED)))
         return SEMICOLON.join(parts) if parts else EMPTY
@@ -46,8 +52,11 @@ NO_EFFECTS = SideEffects()
 
 def side_effects(before: Results, after: Results, mine: Collection[str] = ()) -> SideEffects:
     """`mine`: ids of what the change is made for, which is told by itself."""
-    worse = worse_limits(before, after)
-    names = {c.id: c.name for c in after.checks()}
+    worse = [id for id in worse_limits(before, after) if id not in mine]
+    names = {
+        c.id: Text("{check} (not verified)", check=c.name) if c.verdict == "not_verified" else c.name
+        for c in after.checks()
+    }
     no_solution = {step: Text("{step} has no solution", step=IN_SENTENCES[step]) for step in ORDER}
     told = {c.id for c in before.checks() if c.open} | {*worse, *mine}
     opens = [

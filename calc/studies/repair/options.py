@@ -8,6 +8,7 @@ breaks something else, then one that only comes nearer.  What is locked is shown
 import math
 import time
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
 
@@ -34,10 +35,10 @@ from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE, RESIDUAL_FORCE_S
 from ...countershaft.making.unbalance import HOLES_RANGE
 from ...countershaft.result import CountershaftResult
 from ...countershaft.shafts import ShaftsResult
-from ...design.addresses import quantity_of, value_at
+from ...design.addresses import address, quantity_of, value_at
 from ...design.locks import USUAL, locked
 from ...design.model import Design
-from ...design.names import named, published, words, written
+from ...design.names import asked, named, published, words, written
 from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document
 from ...friction.result import FrictionResult
@@ -57,11 +58,11 @@ from ...sheet.progress import Progress, part, tell
 from ...sheet.quantity import Quantity, dotted
 from ...sheet.remedy import Changes, assignments
 from ...sheet.search import Budget, closer, rounded
-from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Small, Text, plural
+from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Small, Text, plural
 from ...sheet.verdict import named as named_checks
 from ...solve import Results, solve
 from . import sizing
-from .effects import NO_EFFECTS, SideEffects, side_effects
+from .effects import NO_EFFECTS, SideEffects, listed, side_effects
 from .levers import Lever, called, disturbance, free_keys, kind_of, levers, named_keys, place_of, settled, words_of
 from .nearest import NearestRemedy, remedy
 from .state import ORDER, RepairState, broken, closer_limits, held, is_mended, state_of
@@ -130,7 +131,7 @@ class RepairOption:
             parts.append(Text("cold gap {gap}", gap=Amount(self.cold, "µm", digits=3)))
         texts = [COMMA.join(parts)] if parts else []
         if self.breaks and self.quality != BREAKS:  # of which the effect says so
-            texts.append(Text("then not kept: {checks}", checks=COMMA.join(self.breaks[:2])))
+            texts.append(Text("then not kept: {checks}", checks=listed(self.breaks)))
         if self.closer:
             texts.append(Text("then closer: {checks}", checks=COMMA.join(self.closer[:2])))
         return SEMICOLON.join(texts) if texts else EMPTY
@@ -196,10 +197,10 @@ def _effect(
     after: RepairState, group: tuple[Check, ...], left: tuple[Check, ...], side: SideEffects, quality: int
 ) -> Text:
     if quality == BREAKS:
-        return Text("mends this; then not kept: {checks}", checks=COMMA.join(side.breaks[:2]))
+        return Text("mends this; then not kept: {checks}", checks=listed(side.breaks))
     if quality == NEAR and left:
         worst = left[0]
-        if worst.verdict == "not_verified" and worst.missing:
+        if worst.verdict == "not_verified" and worst.missing and worst.holds:
             value = Amount(worst.value, worst.unit, digits=3)
             return plural(
                 "{value} as taken; {n} more input is needed",
@@ -219,7 +220,8 @@ def _effect(
     ids = {c.id for c in group}
     if unknown := [c for c in after.results.checks() if c.id in ids and c.verdict == "not_verified"]:
         keys = dict.fromkeys(key for c in unknown for key in c.missing)
-        return Text("holds as taken; not verified without {keys}", keys=Name(", ".join(keys)))
+        inputs = COMMA.join(asked(after.document, key) for key in keys)
+        return Text("holds as taken; not verified without {keys}", keys=inputs)
     return Text("passes, also at every corner") if any(c.rule in AT_CORNERS for c in group) else Text("passes")
 
 
@@ -533,15 +535,17 @@ def _given(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOptio
     every: Changes = {}
     for key in dict.fromkeys(key for check in group for key in check.missing):
         try:
-            about = quantity_of(state.document.data, key)
-        except BadInput:
+            address(state.document.data, key, whole=True)
+        except BadInput:  # of something that has no field, as a material
             continue
-        kind = Text("give {input}", input=named(state.document, key))
-        values = _usual(state, key, about)
-        if not values:
-            yield RepairOption(kind, (key,), effect=Text("then it can be judged"), quality=NEAR)
+        kind = Text("give {input}", input=asked(state.document, key))
+        values: tuple[float | int | str, ...] = ()
+        with suppress(BadInput):  # of a table, which has no usual value
+            values = _usual(state, key, quantity_of(state.document.data, key))
         if values:
             every[key] = values[0]
+        else:
+            yield RepairOption(kind, (key,), effect=Text("then it can be judged"), quality=NEAR)
         yield from _as_given(state, group, [{key: value} for value in values], kind)
     if len(every) > 1:
         yield from _as_given(state, group, [every], Text("give all that is missing"))
