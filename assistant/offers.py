@@ -39,6 +39,8 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 from calc.sheet.verdict import severity
 from calc.solve import Results, solve
 
+from .session.guide import CHOICE_NEEDS
+
 
 @dataclass(frozen=True)
 class Offer:
@@ -377,17 +379,15 @@ def _mounting(design: Design, file: str, progress: Progress | None = None) -> Of
 
 
 Search = Callable[..., Offer]
-OFFERS: dict[str, tuple[tuple[str, ...], Text, Search]] = {  # by step: which tables it needs, why, and the search
-    "engine": (("engine", "imbalance"), Text("firing orders are ranked by what they leave of the imbalance"), _engine),
+OFFERS: dict[str, tuple[Text, Search]] = {  # by step: why it needs its tables, and the search
+    "engine": (Text("firing orders are ranked by what they leave of the imbalance"), _engine),
     "countershaft": (
-        ("engine", "imbalance", "countershaft"),
         Text("the shaft is sized for what the engine's crank leaves, in the envelope of its table [[shafts]]"),
         _countershaft,
     ),
-    "bearings": (("bearings",), Text("there is nothing to choose a bearing for"), _bearings),
-    "gears": (("gears",), Text("there are no gears to choose shifts for"), _gears),
+    "bearings": (Text("there is nothing to choose a bearing for"), _bearings),
+    "gears": (Text("there are no gears to choose shifts for"), _gears),
     "mounting": (
-        ("engine", "imbalance", "mounting"),
         Text("the mounts are sought for the engine of [mounting] and what drives it"),
         _mounting,
     ),
@@ -408,8 +408,8 @@ def offer(
     chosen for, "loss", "size" or "film"; `results`: where the design is solved already; `held`: what no row may change,
     as far as a search knows of it.  Raises BadInput where the
     design lacks what the search needs, NoSolution where there is nothing to offer; `progress` may raise `Cancelled`."""
-    needed, why, search = OFFERS[step]
-    missing = next((key for key in needed if getattr(design, key) is None), None)
+    why, search = OFFERS[step]
+    missing = next((key for key in CHOICE_NEEDS[step] if getattr(design, key) is None), None)
     if missing is not None:
         raise BadInput(file, [InputError(0, missing, "", Text("needed: {why}", why=why))])
     if shaft is not None:

@@ -20,6 +20,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 from textual.worker import get_current_worker
 
+from calc.design.addresses import Table as Data
 from calc.design.addresses import quantity_of, step_at, value_at
 from calc.design.locks import locked, standing
 from calc.design.model import OPTIONAL, STEPS, TITLES
@@ -40,6 +41,7 @@ from ..base_app import BaseApp
 from ..offers import Offer, offer
 from ..session.compare_with import Chosen
 from ..session.editing import applied, locked_text, told
+from ..session.places import label_of
 from ..session.session import Session
 from ..session.solving import Answer, Job, mistake, run
 from ..widgets.item_list import Item, ItemList
@@ -59,10 +61,10 @@ Taken = TypeVar("Taken")
 Found = TypeVar("Found")
 
 
-def mistakes_text(bad: BadInput) -> Text:
-    """Every mistake with its key, in one row."""
+def mistakes_text(bad: BadInput, data: Data) -> Text:
+    """Every mistake with the label of its field, in one row."""
     return SEMICOLON.join(
-        Text("{key}: {reason}", key=e.key, reason=e.reason) if e.key else e.reason for e in bad.errors
+        Text("{key}: {reason}", key=label_of(data, e.key), reason=e.reason) if e.key else e.reason for e in bad.errors
     )
 
 
@@ -142,7 +144,7 @@ class Searching(Once, ModalScreen[Taken], Generic[Taken, Found]):
         except Cancelled:
             return
         except BadInput as bad:
-            failure = mistakes_text(bad)
+            failure = mistakes_text(bad, self.session.data)
         except NoSolution as none:
             failure = none.text
         except Exception as error:  # a mistake of the program must not take the user's work with it
@@ -462,7 +464,7 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         except NoSolution as none:
             return Preview(number, why=none.text)
         except BadInput as bad:
-            return Preview(number, why=mistakes_text(bad))
+            return Preview(number, why=mistakes_text(bad, self.session.data))
         except Exception as error:  # a mistake of the program must not take the user's work with it
             return Preview(number, why=mistake(error))
         before = self.session.results

@@ -22,7 +22,7 @@ from calc.sheet.verdict import grouped
 
 from ..session.compare_with import edit_text
 from ..session.editing import BuildPlan, told
-from ..session.guide import CHOICES
+from ..session.guide import no_choice
 from ..session.places import GEARS, SHAFTS, Place, driver_of, first_key, named_key, ways_to_add
 from ..session.recording import Recording
 from ..session.recovery import Edits
@@ -209,9 +209,8 @@ class WorkbenchEdits(WorkbenchMoves):
     # --- tables to choose from
     def action_choose(self) -> None:
         """The ranked table of what can be chosen for this step."""
-        if self.step.key not in CHOICES:
-            steps = COMMA.join(s.title for s in STEPS if s.key in CHOICES)
-            self.app.tell(Text("There is nothing to choose in this step; there is in {steps}.", steps=steps))
+        if why := no_choice(self.step.key, self.session.data):
+            self.app.tell(why)
             return
         if not self.session.valid:
             self.app.tell(Text("First the input has to be valid."), "warning")

@@ -79,7 +79,7 @@ async def test_how_far_it_is(screen: Screen, ascii: bool, bar: str) -> None:
         (NoSolution(Text("no pair fits")), "no pair fits"),
         (
             BadInput("x.toml", [InputError(1, "engine.bore_mm", "-1", Text("is below zero"))]),
-            "engine.bore_mm: is below zero",
+            "cylinder bore: is below zero",
         ),
         (ZeroDivisionError("by nought"), "the program made a mistake: ZeroDivisionError: by nought"),
     ],

@@ -160,7 +160,7 @@ def on_grid(about: Quantity, now: float, number: float, finer: float = 1.0) -> f
         return number
     step *= finer
     n = math.ceil(number / step - 1e-6) if number > now else math.floor(number / step + 1e-6)
-    return digits(n * step)
+    return round(n * step) if isinstance(number, int) else digits(n * step)
 
 
 def settled(document: Document, changes: Changes) -> Changes:
