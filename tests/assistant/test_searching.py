@@ -79,7 +79,7 @@ async def test_how_far_it_is(screen: Screen, ascii: bool, bar: str) -> None:
         (NoSolution(Text("no pair fits")), "no pair fits"),
         (
             BadInput("x.toml", [InputError(1, "engine.bore_mm", "-1", Text("is below zero"))]),
-            "cylinder bore: is below zero",
+            "bore: is below zero",
         ),
         (ZeroDivisionError("by nought"), "the program made a mistake: ZeroDivisionError: by nought"),
     ],
@@ -95,6 +95,7 @@ async def test_why_it_ends(
 
     async with screen() as pilot:
         shown = Letters(search)
+        shown.session = work(pilot).session
         pilot.app.push_screen(shown)
         await until(pilot, lambda: bool(shown.letters) and not shown.searching)
         assert words in shown.state and shown.letters == ["a"]
