@@ -46,7 +46,7 @@ from ..session.session import Session
 from ..session.solving import Answer, Job, mistake, run
 from ..widgets.item_list import Item, ItemList
 from ..widgets.table_list import Setter
-from ..widgets.text import wrap
+from ..widgets.text import fit, wrap
 from .compare import TAKEN, CompareScreen
 from .dialogs import Once
 
@@ -278,10 +278,11 @@ class OfferList(ItemList):
 
 # --- the dialog of an offer
 
-HINT = Text("Enter takes the row (undo takes it back), ↑ ↓ go through the rows, = compares now → row, Esc goes back")
+HINT = Text("Enter takes the row · ↑ ↓ rows · = compares now → row · Esc back")
 
 
-NAMED = 8  # changes of a row that are told one by one
+NAMED, FIRST = 8, 5  # changes of a row that are told one by one, and how many of more
+ROOMY = 30  # rows of a screen on which all of the row under the cursor has room
 
 
 @dataclass(frozen=True)
@@ -481,15 +482,15 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             different = {key: value for key, value in keys.items() if value_at(document.data, key) != value}
             if results is None:
                 return told(document, assignments(keys))
-            first, n = dict(islice(different.items(), NAMED)), len(different) - NAMED
-            words = words_of(document, results, first) if first else EMPTY
+            given = {key: value for key, value in different.items() if value is not None}
+            n = len(given) - FIRST if len(given) > NAMED else 0
+            shown = dict(islice(given.items(), FIRST)) if n else different
+            words = words_of(document, results, shown) if shown else EMPTY
         except BadInput:
             return told(document, assignments(keys))
-        return (
-            plural("{changes} and {n} more input", "{changes} and {n} more inputs", n=n, changes=words)
-            if n > 0
-            else words
-        )
+        if not n:
+            return words
+        return plural("{changes} and {n} more input", "{changes} and {n} more inputs", n=n, changes=words)
 
     def on_choosing_previewed(self, event: Previewed) -> None:
         event.stop()
@@ -510,14 +511,19 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         else:
             changes = preview.words or Text("the design as it is")
             text = Text("Row {n}: {changes}", n=preview.number, changes=changes)
-            rows = [Content(row) for row in wrap(say(text).replace("→", self.app.signs.mark("then")), self.room, 2)[:3]]
+            rows = [Content(row) for row in self._clipped(say(text).replace("→", self.app.signs.mark("then")), 2)]
+            most = 2 if self.app.size.height >= ROOMY else 1
             for what, state in ((preview.shut, "blocked"), (preview.warns, self._colour(preview))):
                 if what:
                     words = say(Text("Row {n}: {what}", n=preview.number, what=what))
-                    lines = wrap(f"{self.app.signs.mark(state)} {words}", self.room, 2)[:2]
+                    lines = self._clipped(f"{self.app.signs.mark(state)} {words}", most)
                     rows += [Content.styled(row, self.app.signs.style(state)) for row in lines]
             rows += self._verdicts(preview.results)
         self.query_one("#choosing-preview", Static).update(Content("\n").join(rows))
+
+    def _clipped(self, text: str, most: int) -> list[str]:
+        rows = wrap(text, self.room, 2)
+        return rows if len(rows) <= most else [*rows[: most - 1], fit(rows[most - 1] + " " + rows[most], self.room)]
 
     def _colour(self, preview: Preview) -> str:
         return "fail" if preview.side is not None and preview.side.breaks else "warn"
