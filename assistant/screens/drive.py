@@ -3,6 +3,7 @@
 
 The row under the cursor is solved and may be taken as one step of the undo."""
 
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
@@ -116,6 +117,7 @@ def _ends(numbers: list[float]) -> tuple[float, float]:
 # --- the screen
 
 SHARE = 0.85  # of the progress, until all classes are done
+ALMOST = 0.9  # of a class, until it is done
 PROCESSES = 2
 TALL = 30  # rows of a screen with room for points and table
 HINT = Text(
@@ -175,18 +177,28 @@ class Driving(Choosing):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        session, here = self.session, Text("loads and films")
-        problem, _ = asked(session.document, of_shaft(session))
-        count, share = len(problem.classes), 0.0
-        enough, tries = lambda: self._enough, 0
+        problem, _ = asked(self.session.document, of_shaft(self.session))
+        count, tries, begun = len(problem.classes), 0, time.monotonic()
+        last = 0, 0.0  # classes that are done, and seconds until then
+
+        def enough() -> bool:
+            return self._enough
 
         def tell(now: float, what: Text) -> None:
-            nonlocal share, here
-            share, here = now, what
             progress(now, ENDING if self._enough else what)
 
         def told(done: int, known: Known, name: str) -> None:
+            nonlocal last
+            last = done, time.monotonic() - begun
             tell(SHARE * done / count, Text("{name}: front {n}", name=Name(name), n=len(known)))
+
+        def waiting() -> None:
+            """Of the next class as much as those before it let expect."""
+            done, then = last
+            seconds = time.monotonic() - begun
+            grown = min(ALMOST, (seconds - then) * done / then) if done else 0.0
+            words = Text("{done} of {count} classes of drives, {n} s", done=done, count=count, n=round(seconds))
+            tell(SHARE * (done + grown) / count, words)
 
         def solving(done: int, of: int) -> None:
             tell(SHARE + (1 - SHARE) * done / of, Text("{n} of {of} drives solved whole", n=done, of=of))
@@ -197,11 +209,9 @@ class Driving(Choosing):
             tell(min(1.0, tries / EVALUATIONS), Text("{done} of {most} solved", done=tries, most=EVALUATIONS))
             return self._enough
 
-        tell(0.0, here)
+        waiting()
         try:
-            front = search(
-                problem, PROCESSES, None, told, solving, stop=enough, enough=enough, pulse=lambda: tell(share, here)
-            )
+            front = search(problem, PROCESSES, None, told, solving, stop=enough, enough=enough, pulse=waiting)
         except NotClosed:
             front = evolved(problem, EVALUATIONS, problem.seed, enough=trying)
         if not front.drives:
