@@ -345,6 +345,7 @@ DEAR = 3.0  # times the change that is enough as given, beyond which the corners
 EIGHTH = 0.125  # of a change that breaks something: so close to it one that does not is looked for
 LARGE = 0.25  # relative change beyond which one that breaks something else is no remedy
 MANY = 3  # limits that a remedy may break
+ABSURD = 3.0  # relative change beyond which what a check computes is no remedy: a flywheel of seventy times its inertia
 NEARER = 0.9  # share of what is missing that a change may leave to be worth a row
 
 
@@ -503,10 +504,17 @@ def _computed(
         return
     trials = Trials(state, step, group, Budget(TRIES), progress, group[0].name, FARTHEST, ROUND)
     for each in (each for each in named if each.changes):
-        free = not any(locked(state.document.data, key) for key, _ in each.changes)
-        if free and (way := _way(trials, dict(each.changes))) is not None and _worth(trials, way):
-            done = Text("{passes}: {effect}", passes=way.effect, effect=each.effect)
-            yield replace(way, effect=done) if way.passes and each.effect else way
+        if any(locked(state.document.data, key) for key, _ in each.changes):
+            continue
+        way = _way(trials, dict(each.changes))
+        if way is None or way.disturbance > ABSURD or not _worth(trials, way):
+            continue
+        if way.passes and each.effect:
+            told = dict(passes=way.effect, effect=each.effect)
+            closed = way.quality == ALL_CORNERS
+            effect = Text("{passes}: {effect}", **told) if closed else Text("{effect}: {passes}", **told)
+            way = replace(way, effect=effect)
+        yield way
 
 
 WHOLE_STEP = Text("all of the step at once")
