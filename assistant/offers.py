@@ -38,6 +38,7 @@ from calc.sheet.step import OF_SHAFTS, Table
 from calc.sheet.text import EMPTY, Amount, Name, Text
 from calc.sheet.verdict import severity
 from calc.solve import Results, solve
+from calc.studies.repair.nearest import NearestRemedy
 
 from .session.guide import CHOICE_NEEDS
 
@@ -63,6 +64,30 @@ class Offer:
     def changes(self, number: int) -> list[str]:
         """What writes a row into the design, as KEY=VALUE.  Raises NoSolution where the row does not hold after all."""
         return assignments(self.keys(number))
+
+
+def nothing(number: int) -> Changes:
+    return {}
+
+
+NOTHING = Offer(0, lambda top: Table("choices", EMPTY, (), ()), nothing, lambda n: EMPTY, EMPTY)
+
+
+def with_nearest(offer: Offer, nearest: NearestRemedy) -> Offer:
+    """The same, headed by the remedy of the step that F5 has too: the nearest design in which its limits hold."""
+    number = offer.count + 1
+    columns = ((Text("no."), ""), (Text("change"), ""), (Text("then"), ""))
+    table = Table(
+        "nearest", Text("Nearest to the design, as F5 has it"), columns, ((number, nearest.words, nearest.said),)
+    )
+    return replace(
+        offer,
+        count=number,
+        table=lambda top: table,
+        keys=lambda n: nearest.made if n == number else offer.keys(n),
+        said=lambda n: nearest.said if n == number else offer.said(n),
+        beside=lambda top: (offer.table(top), *offer.beside(top)) if offer.count else (),
+    )
 
 
 Held = Callable[[str], str]  # why an input is held; empty where a search may move it

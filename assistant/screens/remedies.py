@@ -21,7 +21,8 @@ from calc.sheet.check import Check
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
 from calc.studies.repair.nearest import NearestRemedy
-from calc.studies.repair.options import ALL_CORNERS, AS_GIVEN, LOCKED, NEAR, RepairOption, ranked, search
+from calc.studies.repair.option import ALL_CORNERS, AS_GIVEN, LOCKED, NEAR, RepairOption, ranked
+from calc.studies.repair.options import search
 
 from ..session.saving import SaveError, free_name, write_atomic
 from ..session.session import Session

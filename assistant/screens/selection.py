@@ -21,26 +21,25 @@ from textual.widgets import Static
 from textual.worker import get_current_worker
 
 from calc.design.addresses import Table as Data
-from calc.design.addresses import quantity_of, step_at, value_at
-from calc.design.locks import locked, standing
+from calc.design.addresses import value_at
+from calc.design.locks import locked
 from calc.design.model import OPTIONAL, STEPS, TITLES
 from calc.design.names import words as words_of
-from calc.design.names import written
-from calc.design.toml_file import Document, design
+from calc.design.toml_file import design
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput, Cancelled, NoSolution
 from calc.sheet.progress import Progress, part
 from calc.sheet.remedy import Changes, assignments
-from calc.sheet.step import OF_SHAFTS, Table
+from calc.sheet.step import OF_SHAFTS
 from calc.sheet.text import EMPTY, SEMICOLON, Text, plural
 from calc.studies.repair.effects import SideEffects, side_effects
 from calc.studies.repair.nearest import NearestRemedy, remedy
 from calc.studies.repair.options import QUICK
 
 from ..base_app import BaseApp
-from ..offers import Offer, offer
+from ..offers import NOTHING, Offer, offer, with_nearest
 from ..session.compare_with import Chosen
-from ..session.editing import applied, locked_text, told
+from ..session.editing import applied, held_words, locked_text, told
 from ..session.places import label_of
 from ..session.session import Session
 from ..session.solving import Answer, Job, mistake, run
@@ -305,45 +304,6 @@ class Preview:
 
 def _refused(preview: Preview) -> Text:
     return Text("Row {n} can not be taken: {reason}", n=preview.number, reason=preview.why)
-
-
-def held_words(document: Document, step: str) -> Text:
-    """What is locked of the inputs of a step, with its value and why; empty where nothing is."""
-    texts = [
-        Text(
-            "{label} {value} ({reason})",
-            label=quantity_of(document.data, key).label,
-            value=written(value_at(document.data, key)),
-            reason=reason,
-        )
-        for key, reason in standing(document.data).items()
-        if step_at(document.data, key) == step and key.count(".")
-    ]
-    return Text("Held: {inputs}.", inputs=SEMICOLON.join(texts)) if texts else EMPTY
-
-
-def nothing(number: int) -> Changes:
-    return {}
-
-
-NOTHING = Offer(0, lambda top: Table("choices", EMPTY, (), ()), nothing, lambda n: EMPTY, EMPTY)
-
-
-def with_nearest(offer: Offer, nearest: NearestRemedy) -> Offer:
-    """The same, headed by the remedy of the step that F5 has too: the nearest design in which its limits hold."""
-    number = offer.count + 1
-    columns = ((Text("no."), ""), (Text("change"), ""), (Text("then"), ""))
-    table = Table(
-        "nearest", Text("Nearest to the design, as F5 has it"), columns, ((number, nearest.words, nearest.said),)
-    )
-    return replace(
-        offer,
-        count=number,
-        table=lambda top: table,
-        keys=lambda n: nearest.made if n == number else offer.keys(n),
-        said=lambda n: nearest.said if n == number else offer.said(n),
-        beside=lambda top: (offer.table(top), *offer.beside(top)) if offer.count else (),
-    )
 
 
 class Choosing(Searching[tuple[str, ...] | None, Offer]):

@@ -39,7 +39,7 @@ from .path_dialogs import ExportDialog, OpenDialog, RecordDialog, SaveDialog, fo
 from .workbench_moves import WorkbenchMoves
 
 if TYPE_CHECKING:
-    from calc.studies.repair.options import RepairOption
+    from calc.studies.repair.option import RepairOption
 
 BUILDING = Text("It is being built by the rules …")
 ASK_UPGRADE = Text(

@@ -7,7 +7,8 @@ from calc.design.toml_file import Document, design, read
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
-from calc.studies.repair.options import LOCKED, NEAR, RepairOption, ranked, search
+from calc.studies.repair.option import LOCKED, NEAR, RepairOption, ranked
+from calc.studies.repair.options import search
 from calc.studies.repair.state import broken, state_of
 from tests.calc.studies.repair.test_remedy import damaged, with_changes
 from tests.conftest import DESIGNS, ROOT
