@@ -34,7 +34,7 @@ from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import ready_words, states_of, verdict_of, whole_of
 from ..widgets.text import fit, pad, wrap
 from .dialogs import Once
-from .workbench_moves import WorkbenchMoves
+from .workbench_panes import WorkbenchPanes
 
 # actions that the page gives beside a step's key and a check's id
 REPORT, EXPORT, DRIVE, PALETTE = "report", "export", "drive", "palette"
@@ -271,7 +271,7 @@ class ReadyScreen(Once, Screen[str | None]):
         Binding("up,k", "move(-1)", "Up", show=False),
     ]
 
-    def __init__(self, work: WorkbenchMoves, unfolded: str = "") -> None:
+    def __init__(self, work: WorkbenchPanes, unfolded: str = "") -> None:
         super().__init__()
         self.work, self.session, self.unfolded = work, work.session, unfolded
 

@@ -11,7 +11,7 @@ from calc.design.addresses import asks, step_at
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput
-from calc.sheet.text import EMPTY, Text
+from calc.sheet.text import Text
 from calc.sheet.verdict import severity
 
 from ..actions import BY_ID
@@ -408,25 +408,6 @@ class WorkbenchMoves(WorkbenchResults):
         await self.app.action_quit()
 
     # --- the closing page
-    _no_drive: tuple[object, str, Text] = (None, "", EMPTY)  # of which results and shaft it is known, and why
-
-    def no_drive(self) -> Text:
-        """Why the whole drive can not be searched for now; empty where it can, and where it is offered."""
-        session = self.session
-        if not session.valid:
-            return Text("First the input has to be valid.")
-        if session.results is None or not session.current:
-            return session.failure or Text("It is still being solved.")
-        results, shaft, why = self._no_drive
-        if results is not session.results or shaft != session.original:
-            from calc.studies.drive.able import unable
-
-            from .drive import of_shaft
-
-            why = unable(session.document, session.results, of_shaft(session))
-            self._no_drive = session.results, session.original, why
-        return why
-
     def action_ready(self, unfolded: str = "") -> None:
         """Show what is left to do, and go where it says."""
         from .ready import ReadyScreen

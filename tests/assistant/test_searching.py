@@ -13,7 +13,7 @@ from textual.widgets import Static
 
 from assistant.offers import Offer
 from assistant.screens import selection
-from assistant.screens.selection import Choosing, Searching
+from assistant.screens.selection import Choosing, Searching, time_left
 from assistant.screens.workbench import Workbench
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.progress import Progress
@@ -71,6 +71,22 @@ async def test_how_far_it_is(screen: Screen, ascii: bool, bar: str) -> None:
         go_on.set()
         await until(pilot, lambda: not shown.searching)
         assert shown.state == "over " and shown.letters == ["a"]
+
+
+@pytest.mark.parametrize(
+    ("seconds", "share", "words"),
+    [
+        (2.0, 0.5, ""),  # nobody can know yet
+        (60.0, 0.02, ""),
+        (10.0, 0.5, "about 10 s left"),
+        (4.0, 0.8, "about 1 s left"),
+        (17.0, 0.4, "about 25 s left"),
+        (200.0, 0.5, "about 3 min left"),
+        (200.0, 1.0, ""),
+    ],
+)
+def test_how_long_it_still_takes(seconds: float, share: float, words: str) -> None:
+    assert time_left(seconds, share) == words
 
 
 @pytest.mark.parametrize(
