@@ -4,15 +4,17 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from typing import Any
 
 from calc.bearings import choice as kinds
 from calc.bearings import choice_tables as kind_tables
 from calc.bearings.choice import plain_case
+from calc.bearings.inputs import BearingsInputs
 from calc.bearings.plain.selection import search as bearing_search
 from calc.bearings.plain.selection import tables as bearing_tables
 from calc.bearings.plain.selection import together
 from calc.bearings.plain.selection.search import BearingsFound, Settled
-from calc.bearings.plain.selection.variants import SUPPLY, SelectionCase
+from calc.bearings.plain.selection.variants import SUPPLY, SelectionCase, with_own_oil
 from calc.bearings.plain.selection.writing import bearing_changes
 from calc.countershaft.sizing import choices as sizing
 from calc.countershaft.sums import SystemShaft
@@ -36,6 +38,9 @@ from calc.sheet.step import OF_SHAFTS, Table
 from calc.sheet.text import EMPTY, Amount, Name, Text
 from calc.sheet.verdict import severity
 from calc.solve import Results, solve
+from calc.studies.repair.nearest import NearestRemedy
+
+from .session.guide import CHOICE_NEEDS
 
 
 @dataclass(frozen=True)
@@ -59,6 +64,39 @@ class Offer:
     def changes(self, number: int) -> list[str]:
         """What writes a row into the design, as KEY=VALUE.  Raises NoSolution where the row does not hold after all."""
         return assignments(self.keys(number))
+
+
+def nothing(number: int) -> Changes:
+    return {}
+
+
+NOTHING = Offer(0, lambda top: Table("choices", EMPTY, (), ()), nothing, lambda n: EMPTY, EMPTY)
+
+
+def with_nearest(offer: Offer, nearest: NearestRemedy) -> Offer:
+    """The same, headed by the remedy of the step that F5 has too: the nearest design in which its limits hold."""
+    number = offer.count + 1
+    columns = ((Text("no."), ""), (Text("change"), ""), (Text("then"), ""))
+    table = Table(
+        "nearest", Text("Nearest to the design, as F5 has it"), columns, ((number, nearest.words, nearest.said),)
+    )
+    return replace(
+        offer,
+        count=number,
+        table=lambda top: table,
+        keys=lambda n: nearest.made if n == number else offer.keys(n),
+        said=lambda n: nearest.said if n == number else offer.said(n),
+        beside=lambda top: (offer.table(top), *offer.beside(top)) if offer.count else (),
+    )
+
+
+Held = Callable[[str], str]  # why an input is held; empty where a search may move it
+OIL = dotted(Design.bearings, BearingsInputs.oil)
+
+
+def not_held(key: str) -> str:
+    """Nothing is: every row is shown, and what it changes of what is locked is said beside it."""
+    return ""
 
 
 def _engine(design: Design, file: str, progress: Progress | None = None) -> Offer:
@@ -128,11 +166,21 @@ def _beside(design: Design, name: str) -> tuple[SystemShaft, ...]:
     )
 
 
-def _bearings(design: Design, file: str, progress: Progress | None = None, name: str = "", aim: str = "loss") -> Offer:
+def _bearings(
+    design: Design,
+    file: str,
+    progress: Progress | None = None,
+    name: str = "",
+    aim: str = "loss",
+    results: Results | None = None,
+    held: Held = not_held,
+) -> Offer:
     """Bearings to choose from, for one shaft of the design and its twins: lengths, clearances, oils and supplies that
     fit the shaft and keep every rule at the worst corner."""
     assert design.bearings is not None
-    case = bearings_case(design, solve, shaft=name)
+    case = bearings_case(design, solve, results, name)
+    if held(OIL):
+        case = with_own_oil(case)
     return _plain(_search_plain(case, aim, progress)) if aim == "film" else _kinds(design, case, aim, progress)
 
 
@@ -356,17 +404,15 @@ def _mounting(design: Design, file: str, progress: Progress | None = None) -> Of
 
 
 Search = Callable[..., Offer]
-OFFERS: dict[str, tuple[tuple[str, ...], Text, Search]] = {  # by step: which tables it needs, why, and the search
-    "engine": (("engine", "imbalance"), Text("firing orders are ranked by what they leave of the imbalance"), _engine),
+OFFERS: dict[str, tuple[Text, Search]] = {  # by step: why it needs its tables, and the search
+    "engine": (Text("firing orders are ranked by what they leave of the imbalance"), _engine),
     "countershaft": (
-        ("engine", "imbalance", "countershaft"),
         Text("the shaft is sized for what the engine's crank leaves, in the envelope of its table [[shafts]]"),
         _countershaft,
     ),
-    "bearings": (("bearings",), Text("there is nothing to choose a bearing for"), _bearings),
-    "gears": (("gears",), Text("there are no gears to choose shifts for"), _gears),
+    "bearings": (Text("there is nothing to choose a bearing for"), _bearings),
+    "gears": (Text("there are no gears to choose shifts for"), _gears),
     "mounting": (
-        ("engine", "imbalance", "mounting"),
         Text("the mounts are sought for the engine of [mounting] and what drives it"),
         _mounting,
     ),
@@ -380,12 +426,15 @@ def offer(
     progress: Progress | None = None,
     shaft: str | None = None,
     aim: str | None = None,
+    results: Results | None = None,
+    held: Held = not_held,
 ) -> Offer:
     """Search; `shaft`: of which of several shafts, else of that whose limits are the worst; `aim`: what bearings are
-    chosen for, "loss", "size" or "film".  Raises BadInput where the
+    chosen for, "loss", "size" or "film"; `results`: where the design is solved already; `held`: what no row may change,
+    as far as a search knows of it.  Raises BadInput where the
     design lacks what the search needs, NoSolution where there is nothing to offer; `progress` may raise `Cancelled`."""
-    needed, why, search = OFFERS[step]
-    missing = next((key for key in needed if getattr(design, key) is None), None)
+    why, search = OFFERS[step]
+    missing = next((key for key in CHOICE_NEEDS[step] if getattr(design, key) is None), None)
     if missing is not None:
         raise BadInput(file, [InputError(0, missing, "", Text("needed: {why}", why=why))])
     if shaft is not None:
@@ -394,7 +443,9 @@ def offer(
         raise BadInput("--for", [InputError(0, "", aim, Text("is for bearings alone"))])
     if step not in OF_SHAFTS:
         return search(design, file, progress)
-    aimed = {} if aim is None else {"aim": aim}
+    aimed: dict[str, Any] = {} if aim is None else {"aim": aim}
+    if step == "bearings":
+        aimed |= {"results": results, "held": held}
     found = search(design, file, progress, name := shaft or _worst(step, design), **aimed)
     if len(design.originals) == 1:
         return found

@@ -261,17 +261,22 @@ class ComparisonList(ItemList):
 # --- the screen
 
 NOW = Text("now")
+GO, TAKE = Text("Go there"), Text("Take it")
+TAKEN = "taken"  # what the screen gives where a row is taken
 KEYS = (  # of actions; else as they are called
     ("↑↓", Text("Move")),
     ("←→", Text("Section")),
-    ("go_on", Text("Go there")),
+    ("go_on", GO),
     ("copy", Text("Copy")),
     ("leave", Text("Back")),
 )
 
 
 class CompareScreen(Once, Screen[str | None]):
-    """Gives the id of what the user wants to go to; None: back to where the session was."""
+    """Gives the id of what the user wants to go to; None: back to where the session was.
+
+    `on`: the other design is one that may follow on this one, a row of a table: it stands behind it, and Enter gives
+    TAKEN."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -296,9 +301,9 @@ class CompareScreen(Once, Screen[str | None]):
         found: "Comparison | None" = field(repr=False)
         failure: Text = EMPTY
 
-    def __init__(self, session: Session, other: Chosen) -> None:
+    def __init__(self, session: Session, other: Chosen, *, on: bool = False) -> None:
         super().__init__()
-        self.other = other
+        self.other, self.on = other, on
         self.data, self.made, self.results = session.data, session.design, session.results
         self.current = session.current
         self.counts: dict[str, int] = {}
@@ -311,7 +316,10 @@ class CompareScreen(Once, Screen[str | None]):
         yield Static(id="compare-here")
         keys = [
             Content.assemble((self.app.say(key), "bold $footer-key-foreground"), " ", self.app.say(word))
-            for key, word in ((self.app.shown_key(id) if id in BY_ID else id, word) for id, word in KEYS)
+            for key, word in (
+                (self.app.shown_key(id) if id in BY_ID else id, TAKE if self.on and word is GO else word)
+                for id, word in KEYS
+            )
         ]
         yield Static(Content(" ") + Content("  ").join(keys), id="compare-keys")
 
@@ -334,7 +342,10 @@ class CompareScreen(Once, Screen[str | None]):
         if mine is None or theirs.results is None:
             self.post_message(self.Compared(None, failure))
             return
-        self.post_message(self.Compared(compared(self.other.data, self.data, theirs.results, mine)))
+        before, after = (self.other.data, theirs.results), (self.data, mine)
+        if self.on:
+            before, after = after, before
+        self.post_message(self.Compared(compared(before[0], after[0], before[1], after[1])))
 
     def on_compare_screen_compared(self, event: Compared) -> None:
         event.stop()
@@ -345,14 +356,18 @@ class CompareScreen(Once, Screen[str | None]):
         comparison = event.found
         counts = (len(comparison.inputs), len(comparison.steps_moved), len(comparison.checks), len(comparison.values))
         self.counts = dict(zip(list(SECTIONS)[1:], counts))
-        shown.show(comparison, (self.other.name, NOW))
+        shown.show(comparison, (NOW, self.other.name) if self.on else (self.other.name, NOW))
         self.show_place()
 
     # --- showing
     def show_title(self) -> None:
         width, say = self.app.size.width, self.app.say
-        other = say(Text("{name}: {title}", name=self.other.name, title=self.other.title))
-        title = f" {other}   {say(Text('beside the design as it is now'))}"
+        if self.on:
+            there = Text("{now} → {row}: what it changes", now=NOW, row=self.other.name)
+            title = f" {say(there).replace('→', self.app.signs.mark('then'))}"
+        else:
+            other = say(Text("{name}: {title}", name=self.other.name, title=self.other.title))
+            title = f" {other}   {say(Text('beside the design as it is now'))}"
         self.query_one("#compare-title", Static).update(Content.styled(fit(title, width), "bold"))
 
     def show_place(self) -> None:
@@ -399,7 +414,9 @@ class CompareScreen(Once, Screen[str | None]):
         self.app.tell(Text("Copied: {text}", text=text))
 
     def action_go(self) -> None:
-        if id := self.query_one(ComparisonList).id_here:
+        if self.on:
+            self.dismiss(TAKEN)
+        elif id := self.query_one(ComparisonList).id_here:
             self.dismiss(id)
 
     def action_back(self) -> None:

@@ -3,6 +3,7 @@
 
 The row under the cursor is solved and may be taken as one step of the undo."""
 
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
@@ -15,7 +16,6 @@ from textual.widget import Widget
 from textual.widgets import Static
 
 from calc.countershaft.result import CountershaftResult
-from calc.design.toml_file import design
 from calc.sheet.errors import NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.remedy import Changes
@@ -32,12 +32,10 @@ from calc.studies.drive.solved_drive import mass, power
 from ..actions import bound
 from ..base_app import BaseApp
 from ..offers import Offer
-from ..session.compare_with import Chosen
 from ..session.session import Session
 from ..widgets.item_list import ItemList
 from ..widgets.text import fit, pad
-from .compare import CompareScreen
-from .selection import Choosing, OfferList, Searching
+from .selection import Choosing, OfferList
 
 if TYPE_CHECKING:
     from calc.studies.drive.search import FrontFound
@@ -120,13 +118,22 @@ def _ends(numbers: list[float]) -> tuple[float, float]:
 # --- the screen
 
 SHARE = 0.85  # of the progress, until all classes are done
+ALMOST = 0.9  # of a class, until it is done
 PROCESSES = 2
 TALL = 30  # rows of a screen with room for points and table
 HINT = Text(
     "Enter takes the drive (undo takes it back) · {across} {upright} axes · {sort} sort · {view} points · {compare} "
-    "compares · {walk_back} {walk_on} largest seat · {help} what is searched · Esc back"
+    "now → drive · {walk_back} {walk_on} largest seat · {help} what is searched · Esc back"
 )
-STOPS = Text("Esc keeps the front so far")
+STOPS = Text("Enter keeps the drives so far · Esc stops")
+ENDING = Text("ending with the drives so far …")
+
+
+def of_shaft(session: Session) -> dict[str, object]:
+    """Of several shafts that in view, where the design does not say which."""
+    optimise = session.design.optimise
+    several = len(session.design.originals) > 1 and (optimise is None or optimise.shaft is None)
+    return {"shaft": session.original} if several else {}
 
 
 class Driving(Choosing):
@@ -141,7 +148,6 @@ class Driving(Choosing):
         bound("walk_on", "narrow(1)"),
         bound("help", "about"),
         bound("view", "view"),
-        bound("compare", "compare"),
     ]
 
     def __init__(self, session: Session) -> None:
@@ -174,24 +180,43 @@ class Driving(Choosing):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        problem, _ = asked(self.session.document, {})
-        count = len(problem.classes)
+        problem, _ = asked(self.session.document, of_shaft(self.session))
+        count, tries, begun = len(problem.classes), 0, time.monotonic()
+        last = 0, 0.0  # classes that are done, and seconds until then
+
+        def enough() -> bool:
+            return self._enough
+
+        def tell(now: float, what: Text) -> None:
+            progress(now, ENDING if self._enough else what)
 
         def told(done: int, known: Known, name: str) -> None:
-            progress(SHARE * done / count, Text("{name}: front {n}", name=Name(name), n=len(known)))
+            nonlocal last
+            last = done, time.monotonic() - begun
+            tell(SHARE * done / count, Text("{name}: front {n}", name=Name(name), n=len(known)))
+
+        def waiting() -> None:
+            """Of the next class as much as those before it let expect."""
+            done, then = last
+            seconds = time.monotonic() - begun
+            grown = min(ALMOST, (seconds - then) * done / then) if done else 0.0
+            words = Text("{done} of {count} classes of drives, {n} s", done=done, count=count, n=round(seconds))
+            tell(SHARE * (done + grown) / count, words)
 
         def solving(done: int, of: int) -> None:
-            progress(SHARE + (1 - SHARE) * done / of, Text("{n} of {of} drives solved whole", n=done, of=of))
+            tell(SHARE + (1 - SHARE) * done / of, Text("{n} of {of} drives solved whole", n=done, of=of))
 
-        def evolving(done: int, most: int, passing: int) -> None:
-            progress(
-                done / most, Text("{done} of {most} solved, {passing} pass", done=done, most=most, passing=passing)
-            )
+        def trying() -> bool:
+            nonlocal tries
+            tries += 1
+            tell(min(1.0, tries / EVALUATIONS), Text("{done} of {most} solved", done=tries, most=EVALUATIONS))
+            return self._enough
 
+        waiting()
         try:
-            front = search(problem, PROCESSES, None, told, solving, stop=lambda: self._enough)
+            front = search(problem, PROCESSES, None, told, solving, stop=enough, enough=enough, pulse=waiting)
         except NotClosed:
-            front = evolved(problem, EVALUATIONS, problem.seed, evolving)
+            front = evolved(problem, EVALUATIONS, problem.seed, enough=trying)
         if not front.drives:
             raise NoSolution(self._nothing(front, progress))
         self.front = front
@@ -304,13 +329,8 @@ class Driving(Choosing):
             self.axes[which] = next((n for n in following if n != other), self.axes[which])
             self._draw()
 
-    def action_compare(self) -> None:
-        """The drive under the cursor beside the design, in full."""
-        if self.front is None or not self.number:
-            return
-        document = self.front.drives[self.number - 1].document
-        title = Text("drive {n}", n=self.number)
-        self.app.push_screen(CompareScreen(self.session, Chosen(title, title, document.data, design(document))))
+    def row_name(self, number: int) -> Text:
+        return Text("drive {n}", n=number)
 
     def action_sort(self) -> None:
         if self.front is not None:
@@ -343,9 +363,9 @@ class Driving(Choosing):
         self.query_one(OfferList).show(self.offer)
         self._draw()
 
-    def action_leave(self) -> None:
-        """While classes are searched: keep what there is; else close."""
-        if self.searching and not self._enough:
+    def action_take(self) -> None:
+        """While it is searched: keep what there is by then."""
+        if self.searching:
             self._enough = True
-            return
-        Searching.action_leave(self)
+        else:
+            super().action_take()

@@ -298,7 +298,8 @@ class ReadyScreen(Once, Screen[str | None]):
     def show_keys(self) -> None:
         """The last row: what Enter does with the row under the cursor, and the other keys."""
         say, enter = self.app.say, self.query_one(Closing).enter
-        parts = [f"{say(self.app.shown_key(id))} {say(word)}" for id, word in KEYS]
+        shown = [(id, word) for id, word in KEYS if not (id == "drive" and self.work.no_drive())]
+        parts = [f"{say(self.app.shown_key(id))} {say(word)}" for id, word in shown]
         parts = [f"{say(self.app.shown_key('go_on'))} {say(enter)}", *parts] if enter else parts
         while len(" · ".join(parts)) > self.size.width - 2 and len(parts) > 2:
             del parts[-2]  # the last leads back

@@ -3,6 +3,7 @@
 
 import csv
 import io
+import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import ClassVar
@@ -19,7 +20,9 @@ from calc.locale import Language
 from calc.sheet.check import Check
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
-from calc.studies.repair.options import ALL_CORNERS, AS_GIVEN, NEAR, RepairOption, ranked, search
+from calc.studies.repair.nearest import NearestRemedy
+from calc.studies.repair.option import ALL_CORNERS, AS_GIVEN, LOCKED, NEAR, RepairOption, ranked
+from calc.studies.repair.options import search
 
 from ..actions import bound
 from ..session.saving import SaveError, free_name, write_atomic
@@ -71,13 +74,15 @@ class RemedyList(ItemList):
 
     def result(self, way: RepairOption) -> Text:
         unlocks = self.app.shown_key("lock")
-        return Text("locked: {reason} ({key} unlocks)", reason=way.locked, key=unlocks) if way.locked else way.effect
+        return Text("locked: {reason} ({key} unlocks)", reason=way.locked, key=unlocks) if way.locked else way.result
 
     def _columns(self, number: int, way: RepairOption, width: int) -> list[Content]:
         say, signs = self.app.say, self.app.signs
         arrow = signs.mark("then")
         kind, change, rest = say(way.kind), say(way.words).replace("→", arrow), say(way.rest)
-        state = "blocked" if way.locked else SIGN.get(way.quality, "fail")
+        state = "blocked" if way.quality == LOCKED else SIGN.get(way.quality, "fail")
+        if state == "pass" and way.side.opens:
+            state = "warn"
         result, style = f"{signs.mark(state)} {say(self.result(way))}", signs.style(state)
         kinds = max(len(say(other.kind)) for other in self.ways)
         start = f" {number} "
@@ -111,9 +116,8 @@ class RemedyList(ItemList):
 
 # --- the dialog
 
-SECONDS = 6.0  # after which no further kind is begun
 NARROW = 100  # cells below which the list has the whole screen
-HINT = Text("{lock} locks its input · {export} writes a table · Esc goes back")
+HINT = Text("{compare} compares now → row · {lock} locks its input · {export} writes a table · Esc goes back")
 
 
 def table(ways: tuple[RepairOption, ...], say: Language) -> str:
@@ -144,7 +148,7 @@ def table(ways: tuple[RepairOption, ...], say: Language) -> str:
             [
                 say(way.kind),
                 say(way.words),
-                say(way.effect),
+                say(way.result),
                 way.passes,
                 way.locked,
                 " ".join(way.changes),
@@ -162,15 +166,17 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
     BINDINGS: ClassVar[list[BindingType]] = [
         bound("go_on", "take"),
         bound("lock", "lock"),
+        bound("compare", "compare"),
         bound("export", "write"),
         bound("copy", "copy"),
         bound("copy_line", "copy"),
     ]
 
-    def __init__(self, session: Session, finding: Check | str) -> None:
-        """`finding`: a check, or the key of a step without a solution."""
+    def __init__(self, session: Session, finding: Check | str, nearest: NearestRemedy | None = None) -> None:
+        """`finding`: a check, or the key of a step without a solution; `nearest`: the remedy of its step, where it is
+        known."""
         super().__init__()
-        self.session, self.finding = session, finding
+        self.session, self.finding, self.nearest = session, finding, nearest
         self.found: list[RepairOption] = []
 
     def compose(self) -> ComposeResult:
@@ -197,12 +203,8 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             return Content.styled(
                 f"{signs.mark('no_solution')} {say(Text('{step}: no solution', step=TITLES[check]))}", "bold"
             )
-        text = Text(
-            "{check}: {value}, needs {limit}",
-            check=check.name,
-            value=Amount(check.value, check.unit),
-            limit=check.limit_text(),
-        )
+        known = Amount(check.value, check.unit) if math.isfinite(check.value) else Text("not known")
+        text = Text("{check}: {value}, needs {limit}", check=check.name, value=known, limit=check.limit_text())
         rows = wrap(f"{signs.mark(check.verdict)} {say(text)}", self.room, 2)
         return Content("\n").join([Content.styled(row, f"bold {signs.style(check.verdict)}") for row in rows])
 
@@ -213,7 +215,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         super().begin()
 
     def search(self, progress: Progress) -> Iterator[RepairOption]:
-        yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
+        yield from search(self.session.document, self.finding, self.session.results, progress, nearest=self.nearest)
 
     def show_found(self, result: RepairOption) -> None:
         self.found.append(result)
@@ -253,15 +255,15 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         if way is not None and way.left:
             still = Text("still open: {checks}", checks=Text(", ").join(way.left))
             lines += [Content.styled(row, "dim") for row in wrap(say(still), self.room, 2)[:2]]
-        if way is not None and len(way.breaks) > 2:
-            fails = Text("then fails: {checks}", checks=Text(", ").join(way.breaks))
-            lines += [Content.styled(row, "dim") for row in wrap(say(fails), self.room, 2)[:2]]
+        if way is not None and way.side.words and (way.side.opens or len(way.breaks) > 2):
+            lines += [Content.styled(row, "dim") for row in wrap(say(way.side.words), self.room, 2)[:2]]
         self.query_one("#remedies-preview", Static).update(Content("\n").join(lines))
         self.query_one("#remedies-hint", Static).update(Content.styled(say(self._hint()), "dim"))
 
     def _hint(self) -> Text:
         """What Enter does with the row, and the other keys."""
-        keys, way = Text(HINT.template, lock=self.app.shown_key("lock"), export=self.app.shown_key("export")), self.way
+        shown = {id: self.app.shown_key(id) for id in ("compare", "lock", "export")}
+        keys, way = Text(HINT.template, **shown), self.way
         if way is None:
             return Text("Esc goes back")
         if way.locked:
@@ -288,8 +290,15 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
                 ),
                 "warning",
             )
+        elif way.quality == LOCKED:
+            self.app.tell(Text("{kind}: {result}.", kind=way.kind, result=way.result), "warning")
         else:
             self.dismiss(way)
+
+    def action_compare(self) -> None:
+        """The design as it is, and that of the row under the cursor."""
+        if (way := self.way) is not None and way.changes:
+            self.compare(way.kind, way.changes, lambda: self.dismiss(way))
 
     def action_lock(self) -> None:
         """Lock the input that the row changes, of several the first, or unlock it, and search anew."""
@@ -298,6 +307,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
             return
         key = way.keys[0]
         self.session.toggle_lock(key)
+        self.nearest = None  # which is that of other locks
         locked = bool(self.session.lock_reason(key))
         what = named(self.session.document, key)
         self.app.tell(

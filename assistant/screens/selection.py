@@ -4,8 +4,10 @@
 The search runs aside and can be stopped; of the row under the cursor the whole design is solved before it is taken, so
 that its price in the other steps is seen."""
 
+import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
 
 from textual import work
@@ -18,23 +20,34 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 from textual.worker import get_current_worker
 
+from calc.design.addresses import Table as Data
+from calc.design.addresses import value_at
+from calc.design.locks import locked
 from calc.design.model import OPTIONAL, STEPS, TITLES
+from calc.design.names import words as words_of
 from calc.design.toml_file import design
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput, Cancelled, NoSolution
-from calc.sheet.progress import Progress
+from calc.sheet.progress import Progress, part
+from calc.sheet.remedy import Changes, assignments
 from calc.sheet.step import OF_SHAFTS
-from calc.sheet.text import EMPTY, SEMICOLON, Text
+from calc.sheet.text import EMPTY, SEMICOLON, Text, plural
+from calc.studies.repair.effects import SideEffects, side_effects
+from calc.studies.repair.nearest import NearestRemedy, remedy
+from calc.studies.repair.options import QUICK
 
 from ..actions import bound
 from ..base_app import BaseApp
-from ..offers import Offer, offer
-from ..session.editing import applied, locked_text, told
+from ..offers import NOTHING, Offer, offer, with_nearest
+from ..session.compare_with import Chosen
+from ..session.editing import applied, held_words, locked_text, told
+from ..session.places import label_of
 from ..session.session import Session
 from ..session.solving import Answer, Job, mistake, run
 from ..widgets.item_list import Item, ItemList
 from ..widgets.table_list import Setter
-from ..widgets.text import wrap
+from ..widgets.text import fit, wrap
+from .compare import TAKEN, CompareScreen
 from .dialogs import Once
 
 if TYPE_CHECKING:
@@ -44,22 +57,36 @@ if TYPE_CHECKING:
 # --- a dialog whose rows a long search finds in another thread
 # How far it is, what it gives, and what each row does to every step.
 
-Chosen = TypeVar("Chosen")
+Taken = TypeVar("Taken")
 Found = TypeVar("Found")
 
 
-def mistakes_text(bad: BadInput) -> Text:
-    """Every mistake with its key, in one row."""
+def mistakes_text(bad: BadInput, data: Data) -> Text:
+    """Every mistake with the label of its field, in one row."""
     return SEMICOLON.join(
-        Text("{key}: {reason}", key=e.key, reason=e.reason) if e.key else e.reason for e in bad.errors
+        Text("{key}: {reason}", key=label_of(data, e.key), reason=e.reason) if e.key else e.reason for e in bad.errors
     )
 
 
-class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
+SOON, SURE = 3.0, 0.05  # s, and the share of a search, before which nothing is said of the time that is left
+
+
+def time_left(seconds: float, share: float) -> Text:
+    """About how long a search still takes that came so far in so many seconds; empty where nobody can know yet."""
+    if seconds < SOON or not SURE <= share < 1:
+        return EMPTY
+    left = seconds * (1 - share) / share
+    if left >= 90:
+        return Text("about {n} min left", n=round(left / 60))
+    return Text("about {n} s left", n=max(1, round(left) if left < 10 else 5 * round(left / 5)))
+
+
+class Searching(Once, ModalScreen[Taken], Generic[Taken, Found]):
     """Gives what was chosen.  `STATE`: the row that tells the search; `BAR`: cells of its progress; `BEHIND`: what
     stands behind that."""
 
     app: BaseApp
+    session: Session
     STATE: ClassVar[str]
     BAR: ClassVar[int]
     BEHIND: ClassVar[Text] = EMPTY
@@ -74,6 +101,7 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
     def __init__(self) -> None:
         super().__init__()
         self.searching = False
+        self._begun = 0.0
         self._round = 0  # what an earlier search still sends is dropped
 
     # --- what a dialog says for itself
@@ -97,6 +125,7 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
     def begin(self) -> None:
         """Search, from the start again if need be."""
         self.searching = True
+        self._begun = time.monotonic()
         self._round += 1
         self.show_state(self.app.say(Text("searching …")))
         self._search(self._round)
@@ -117,7 +146,7 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
         except Cancelled:
             return
         except BadInput as bad:
-            failure = mistakes_text(bad)
+            failure = mistakes_text(bad, self.session.data)
         except NoSolution as none:
             failure = none.text
         except Exception as error:  # a mistake of the program must not take the user's work with it
@@ -130,7 +159,9 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
         full, empty = ("#", ".") if self.app.ascii else ("█", "░")
         done, say = round(share * self.BAR), self.app.say
         bar = f"{full * done}{empty * (self.BAR - done)} {share:4.0%}"
-        self.show_state(f"{say(Text('searching …'))}  {bar}  {say(what)}   {say(self.BEHIND)}".rstrip())
+        left = say(time_left(time.monotonic() - self._begun, share))
+        told = [f"{say(Text('searching …'))}  {bar}", say(what), left, say(self.BEHIND)]
+        self.show_state("  ".join(filter(None, told[:2])) + "".join(f"   {text}" for text in told[2:] if text))
 
     def _found(self, number: int, result: Found) -> None:
         if number == self._round:
@@ -161,6 +192,17 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
                 row = Content("")
             row = Content.assemble(row, "   " if row else "", part)
         return [*rows, row]
+
+    def compare(self, name: Text, changes: Iterable[str], take: Callable[[], object]) -> None:
+        """The design now → with a row taken; Enter there takes it."""
+        document = applied(self.session.document, changes)
+        row = Chosen(name, name, document.data, design(document))
+
+        def done(result: str | None) -> None:
+            if result == TAKEN:
+                take()
+
+        self.app.push_screen(CompareScreen(self.session, row, on=True), done)
 
     # --- what the keys do
     def action_move(self, by: int) -> None:
@@ -238,7 +280,11 @@ class OfferList(ItemList):
 
 # --- the dialog of an offer
 
-HINT = Text("Enter takes the row (undo takes it back), ↑ ↓ go through the rows, Esc goes back")
+HINT = Text("Enter takes the row · ↑ ↓ rows · {compare} compares now → row · Esc back")
+
+
+NAMED, FIRST = 8, 5  # changes of a row that are told one by one, and how many of more
+ROOMY = 30  # rows of a screen on which all of the row under the cursor has room
 
 
 @dataclass(frozen=True)
@@ -249,6 +295,14 @@ class Preview:
     changes: tuple[str, ...] = ()
     results: "Results | None" = None
     why: Text = EMPTY
+    words: Text = EMPTY  # the changes, in the labels of the fields
+    shut: Text = EMPTY  # what is locked that it would change
+    side: SideEffects | None = None
+
+    @property
+    def warns(self) -> Text:
+        """What it breaks and opens; empty where nothing, or where it can not be taken."""
+        return self.side.words if self.side is not None else EMPTY
 
 
 def _refused(preview: Preview) -> Text:
@@ -263,15 +317,17 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         bound("go_on", "take"),
         bound("copy", "copy('value')"),
         bound("copy_line", "copy('line')"),
+        bound("compare", "compare"),
     ]
 
     @dataclass
     class Previewed(Message):
         preview: Preview
 
-    def __init__(self, session: Session, step: str) -> None:
+    def __init__(self, session: Session, step: str, nearest: NearestRemedy | None = None) -> None:
+        """`nearest`: the remedy of the step, where it is known."""
         super().__init__()
-        self.session, self.step = session, step
+        self.session, self.step, self.nearest = session, step, nearest
         self.offer: Offer | None = None
         self.previews: dict[int, Preview] = {}
         self._solving = 0  # the row that is being solved
@@ -283,7 +339,9 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             yield Static(id="choosing-state")
             yield OfferList()
             yield Static(id="choosing-preview")
-            yield Static(Content.styled(self.app.say(HINT), "dim"))
+            yield Static(
+                Content.styled(self.app.say(Text(HINT.template, compare=self.app.shown_key("compare"))), "dim")
+            )
 
     def on_mount(self) -> None:
         self.query_one(OfferList).focus()
@@ -299,9 +357,30 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        session = self.session
-        shaft = session.original if self.step in OF_SHAFTS and session.original in session.design.originals else None
-        result = offer(self.step, session.design, session.name, progress, shaft=shaft)
+        session, step = self.session, self.step
+        document, known = session.document, session.results if session.current else None
+        nearest, begun = self.nearest, 0.0
+        if nearest is None and known is not None and known.outcomes[step].verdict in ("fail", "no_solution"):
+            nearest, begun = remedy(document, step, known, part(progress, 0.0, 0.3), tries=QUICK), 0.3
+        shaft = session.original if step in OF_SHAFTS and session.original in session.design.originals else None
+        try:
+            result = offer(
+                step,
+                session.design,
+                session.name,
+                part(progress, begun, 1.0),
+                shaft=shaft,
+                results=known,
+                held=lambda key: locked(document.data, key),
+            )
+        except NoSolution as none:
+            if nearest is None or not nearest.mends:
+                raise
+            result = replace(NOTHING, notes=(Text("Nothing else to choose: {reason}", reason=none.text),))
+        if nearest is not None and nearest.mends:
+            result = with_nearest(result, nearest)
+        shut = held_words(document, step)
+        result = replace(result, summary=(*result.summary, *([shut] if shut else [])))
         # made here: some solve once more, for which the screen must neither wait nor end
         table, beside = result.table(TOP), result.beside(TOP)
         yield replace(result, table=lambda top: table, beside=lambda top: beside)
@@ -344,16 +423,38 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         """The whole design with a row taken; runs in any thread."""
         assert self.offer is not None
         try:
-            changes = tuple(self.offer.changes(number))
+            keys = self.offer.keys(number)
+            changes = tuple(assignments(keys))
             trial = design(applied(self.session.document, changes))
         except NoSolution as none:
             return Preview(number, why=none.text)
         except BadInput as bad:
-            return Preview(number, why=mistakes_text(bad))
+            return Preview(number, why=mistakes_text(bad, self.session.data))
         except Exception as error:  # a mistake of the program must not take the user's work with it
             return Preview(number, why=mistake(error))
-        answer: Answer = run(Job(0, trial, self.session.results, stop))
-        return Preview(number, changes, answer.results, answer.failure)
+        before = self.session.results
+        answer: Answer = run(Job(0, trial, before, stop))
+        shut, words = locked_text(self.session.document, changes), self._words(keys)
+        if answer.results is None or before is None or not self.session.current:
+            return Preview(number, changes, answer.results, answer.failure, words, shut)
+        return Preview(number, changes, answer.results, EMPTY, words, shut, side_effects(before, answer.results))
+
+    def _words(self, keys: Changes) -> Text:
+        """As remedies say it; of elements that only the changes make, by their keys."""
+        document, results = self.session.document, self.session.results
+        try:
+            different = {key: value for key, value in keys.items() if value_at(document.data, key) != value}
+            if results is None:
+                return told(document, assignments(keys))
+            given = {key: value for key, value in different.items() if value is not None}
+            n = len(given) - FIRST if len(given) > NAMED else 0
+            shown = dict(islice(given.items(), FIRST)) if n else different
+            words = words_of(document, results, shown) if shown else EMPTY
+        except BadInput:
+            return told(document, assignments(keys))
+        if not n:
+            return words
+        return plural("{changes} and {n} more input", "{changes} and {n} more inputs", n=n, changes=words)
 
     def on_choosing_previewed(self, event: Previewed) -> None:
         event.stop()
@@ -362,7 +463,8 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         if event.preview.number == self.number:
             self._show(event.preview)
             if self._wanted == self.number:
-                self.action_take()
+                self._wanted = 0
+                self._take(event.preview, warned=False)
 
     def _show(self, preview: Preview) -> None:
         """What the row changes, and the verdicts of all six steps with it."""
@@ -371,14 +473,24 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         if preview.results is None:
             rows = [Content(row) for row in wrap(say(_refused(preview)), self.room)]
         else:
-            changes = told(self.session.document, preview.changes) or Text("the design as it is")
+            changes = preview.words or Text("the design as it is")
             text = Text("Row {n}: {changes}", n=preview.number, changes=changes)
-            rows = [Content(row) for row in wrap(say(text), self.room, 2)[:3]]
-            if shut := locked_text(self.session.document, preview.changes):
-                text = Text("Row {n} {changes}", n=preview.number, changes=shut)
-                rows += [Content.styled(row, self.app.signs.style("warn")) for row in wrap(say(text), self.room, 2)]
+            rows = [Content(row) for row in self._clipped(say(text).replace("→", self.app.signs.mark("then")), 2)]
+            most = 2 if self.app.size.height >= ROOMY else 1
+            for what, state in ((preview.shut, "blocked"), (preview.warns, self._colour(preview))):
+                if what:
+                    words = say(Text("Row {n}: {what}", n=preview.number, what=what))
+                    lines = self._clipped(f"{self.app.signs.mark(state)} {words}", most)
+                    rows += [Content.styled(row, self.app.signs.style(state)) for row in lines]
             rows += self._verdicts(preview.results)
         self.query_one("#choosing-preview", Static).update(Content("\n").join(rows))
+
+    def _clipped(self, text: str, most: int) -> list[str]:
+        rows = wrap(text, self.room, 2)
+        return rows if len(rows) <= most else [*rows[: most - 1], fit(rows[most - 1] + " " + rows[most], self.room)]
+
+    def _colour(self, preview: Preview) -> str:
+        return "fail" if preview.side is not None and preview.side.breaks else "warn"
 
     def _verdicts(self, results: "Results") -> list[Content]:
         before = self.session.results
@@ -400,10 +512,33 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         preview = self.previews.get(number)
         if preview is None:  # it is being solved since the cursor came there
             self._wanted = number
+        else:
+            self._take(preview, warned=True)
+
+    def _take(self, preview: Preview, *, warned: bool) -> None:
+        """`warned`: whether what it breaks and opens stood there when Enter was pressed."""
+        if preview.results is None:
+            self.app.tell(_refused(preview), "warning")
+        elif preview.shut:
+            text = Text("Row {n} {changes}. k on the field unlocks it.", n=preview.number, changes=preview.shut)
+            self.app.tell(text, "warning")
+        elif preview.warns and not warned:
+            self.app.tell(Text("Row {n}: {what}. Enter takes it.", n=preview.number, what=preview.warns), "warning")
+        else:
+            self.dismiss(preview.changes)
+
+    def row_name(self, number: int) -> Text:
+        return Text("row {n}", n=number)
+
+    def action_compare(self) -> None:
+        """The design as it is, and that of the row under the cursor."""
+        preview = self.previews.get(self.number)
+        if preview is None:
+            self.app.tell(Text("It is still being solved."))
         elif preview.results is None:
             self.app.tell(_refused(preview), "warning")
         else:
-            self.dismiss(preview.changes)
+            self.compare(self.row_name(preview.number), preview.changes, lambda: self._take(preview, warned=True))
 
     def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
         event.stop()

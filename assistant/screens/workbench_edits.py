@@ -12,7 +12,7 @@ from textual.geometry import Region
 from textual.notifications import SeverityLevel
 from textual.worker import get_current_worker
 
-from calc.design.addresses import as_table, asks
+from calc.design.addresses import address, as_table, asks
 from calc.design.model import MOST_SHAFTS, STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import BadInput, Cancelled
@@ -22,7 +22,7 @@ from calc.sheet.verdict import grouped
 
 from ..actions import is_typed
 from ..session.editing import BuildPlan, told
-from ..session.guide import CHOICES
+from ..session.guide import no_choice
 from ..session.places import GEARS, SHAFTS, Place, driver_of, first_key, named_key, ways_to_add
 from ..session.recording import Recording
 from ..session.recovery import Edits
@@ -40,7 +40,7 @@ from .path_dialogs import ExportDialog, OpenDialog, RecordDialog, SaveDialog, fo
 from .workbench_moves import WorkbenchMoves
 
 if TYPE_CHECKING:
-    from calc.studies.repair.options import RepairOption
+    from calc.studies.repair.option import RepairOption
 
 BUILDING = Text("It is being built by the rules …")
 BUILDING_ALL = Text("All that is left is being built by the rules: up to half a minute …")
@@ -186,7 +186,9 @@ class WorkbenchEdits(WorkbenchMoves):
             return
         from .remedies import Remedies
 
-        self.app.push_screen(Remedies(session, finding), partial(self._remedied, session.generation, finding))
+        step = finding if isinstance(finding, str) else finding.id.partition(".")[0]
+        dialog = Remedies(session, finding, self.known_remedy(step))
+        self.app.push_screen(dialog, partial(self._remedied, session.generation, finding))
 
     def _finding(self) -> Check | str | None:
         """A check, or the key of a step without a solution."""
@@ -211,9 +213,9 @@ class WorkbenchEdits(WorkbenchMoves):
     async def _remedied(self, generation: int, finding: Check | str, way: "RepairOption | None") -> None:
         if way is not None and way.changes:
             effect = (
-                Text("{check} {result}", check=finding.name, result=way.effect)
-                if isinstance(finding, Check)
-                else way.effect
+                Text("{check} {result}", check=finding.name, result=way.result)
+                if isinstance(finding, Check) and way.passes and not way.breaks
+                else way.result
             )
             result = Text("{change}: {result}. Undo takes it back.", change=way.words, result=effect)
             self.apply(way.changes, result)
@@ -222,26 +224,25 @@ class WorkbenchEdits(WorkbenchMoves):
         else:  # something was locked, or unlocked
             self.rebuilt()
         if way is not None and not way.changes:  # which only names the field
-            await self.to_field(self.session.place(way.keys[0]))
+            await self.to_field(address(self.session.data, way.keys[0], whole=True))
 
     # --- tables to choose from
     def action_choose(self) -> None:
         """The ranked table of what can be chosen for this step."""
-        if self.step.key not in CHOICES:
-            steps = COMMA.join(s.title for s in STEPS if s.key in CHOICES)
-            self.app.tell(Text("There is nothing to choose in this step; there is in {steps}.", steps=steps))
+        if why := no_choice(self.step.key, self.session.data):
+            self.app.tell(why)
             return
         if not self.session.valid:
             self.app.tell(FIRST_VALID, "warning")
             return
         from .selection import Choosing
 
-        self.app.push_screen(Choosing(self.session, self.step.key), self._chosen)
+        self.app.push_screen(Choosing(self.session, self.step.key, self.known_remedy(self.step.key)), self._chosen)
 
     def action_drive(self) -> None:
         """The front of whole drives."""
-        if not self.session.valid:
-            self.app.tell(FIRST_VALID, "warning")
+        if why := self.no_drive():
+            self.app.tell(why, "warning")
             return
         from .drive import Driving
 

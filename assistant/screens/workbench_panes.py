@@ -23,7 +23,7 @@ from calc.design.addresses import asks
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.sheet.step import OF_SHAFTS, Step
-from calc.sheet.text import Text
+from calc.sheet.text import EMPTY, Text
 
 from ..actions import ACTIONS, bound
 from ..base_app import BaseApp
@@ -226,6 +226,26 @@ class WorkbenchPanes(Screen[None]):
         self.query_one("#seen", Vertical).set_class(not self.query_one("#judged", Vertical).display, "-whole")
         if "curve" in shown:
             self.call_after_refresh(self.curve_pane.draw)
+
+    # --- the search for the whole drive
+    _no_drive: tuple[object, str, Text] = (None, "", EMPTY)  # of which results and shaft it is known, and why
+
+    def no_drive(self) -> Text:
+        """Why the whole drive can not be searched for now; empty where it can, and where it is offered."""
+        session = self.session
+        if not session.valid:
+            return Text("First the input has to be valid.")
+        if session.results is None or not session.current:
+            return session.failure or Text("It is still being solved.")
+        results, shaft, why = self._no_drive
+        if results is not session.results or shaft != session.original:
+            from calc.studies.drive.able import unable
+
+            from .drive import of_shaft
+
+            why = unable(session.document, session.results, of_shaft(session))
+            self._no_drive = session.results, session.original, why
+        return why
 
 
 def _views(shown: str, say: Language) -> Content:

@@ -24,7 +24,7 @@ from calc.sheet.verdict import findings_of, open_findings
 
 from ..base_app import TYPING
 from ..session.calculation import VALUES, CalculationSheet, sheet, slopes_of_check, slopes_of_input, values_table
-from ..session.guide import CHOICES
+from ..session.guide import no_choice
 from ..session.places import SHAFTS, SITS_ON, WHEELS, Place, content_at, named_key
 from ..session.session import Session
 from ..session.solving import Answer, Job, run
@@ -314,7 +314,11 @@ class WorkbenchResults(WorkbenchPanes):
     @property
     def remedy(self) -> "NearestRemedy | None":
         """The remedy for that step, if it is known already."""
-        results, known = self.remedies.get(self.trouble, (None, None))
+        return self.known_remedy(self.trouble)
+
+    def known_remedy(self, step: str) -> "NearestRemedy | None":
+        """That of any step."""
+        results, known = self.remedies.get(step, (None, None))
         return known if results is not None and results is self.session.results else None
 
     def seek_remedy(self) -> None:
@@ -571,7 +575,7 @@ class WorkbenchResults(WorkbenchPanes):
             "curve": len(pane.leaves) < 2,
             "trouble": sound,
             "fix": sound,
-            "choose": self.step.key not in CHOICES,
+            "choose": bool(no_choice(self.step.key, self.session.data)),
         }
         self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing), leafs=self.leafs)
 

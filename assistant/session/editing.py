@@ -20,11 +20,13 @@ from calc.design.addresses import (
     parse_assignment,
     quantity_of,
     rows_of_twin,
+    step_at,
     unjudged,
     value_at,
 )
-from calc.design.locks import locked, toggled
+from calc.design.locks import locked, standing, toggled
 from calc.design.model import SCHEMA, Design
+from calc.design.names import written
 from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
 from calc.sheet.quantity import Quantity, dotted
@@ -87,6 +89,21 @@ def told(document: Document, changes: Iterable[str]) -> Text:
             )
         )
     return SEMICOLON.join(texts)
+
+
+def held_words(document: Document, step: str) -> Text:
+    """What is locked of the inputs of a step, with its value and why; empty where nothing is."""
+    texts = [
+        Text(
+            "{label} {value} ({reason})",
+            label=quantity_of(document.data, key).label,
+            value=written(value_at(document.data, key)),
+            reason=reason,
+        )
+        for key, reason in standing(document.data).items()
+        if step_at(document.data, key) == step and key.count(".")
+    ]
+    return Text("Held: {inputs}.", inputs=SEMICOLON.join(texts)) if texts else EMPTY
 
 
 def locked_text(document: Document, changes: Iterable[str]) -> Text:

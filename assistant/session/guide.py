@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from functools import cache
 
 from calc.countershaft.rows import BearingRow
-from calc.design.addresses import Table, as_table, quantities, step_at
-from calc.design.model import STEP_KEYS, STEPS, Design
+from calc.design.addresses import Table, as_table, asks, quantities, step_at
+from calc.design.model import IN_SENTENCES, STEP_KEYS, STEPS, Design
 from calc.design.upgrade import is_twin
 from calc.library.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
 from calc.sheet.quantity import Published, Quantity, dotted, keys
 from calc.sheet.step import Step
-from calc.sheet.text import Amount, Text
+from calc.sheet.text import COMMA, EMPTY, Amount, Text
 
 from .places import SHAFTS, Place, content_at, described, owner, row_of_original, with_bearings
 
@@ -246,3 +246,20 @@ CHOICES = {
     "gears": Text("profile shifts and tip cuts, the least specific sliding first; teeth of an idler between walls"),
     "mounting": Text("mounts that decouple the modes between the road's frequency and idle, the purest first"),
 }
+CHOICE_NEEDS = {  # the steps without which nothing can be sought
+    "engine": ("engine", "imbalance"),
+    "countershaft": ("engine", "imbalance", "countershaft"),
+    "bearings": ("bearings",),
+    "gears": ("gears",),
+    "mounting": ("engine", "imbalance", "mounting"),
+}
+
+
+def no_choice(step: str, data: Table) -> Text:
+    """Why there is no table for a step of this design; empty where there is one."""
+    if step not in CHOICES:
+        steps = COMMA.join(known.title for known in STEPS if known.key in CHOICES)
+        return Text("There is nothing to choose in this step; there is in {steps}.", steps=steps)
+    if missing := [IN_SENTENCES[key] for key in CHOICE_NEEDS[step] if not asks(data, key)]:
+        return Text("There is something to choose once the design has these steps: {steps}.", steps=COMMA.join(missing))
+    return EMPTY

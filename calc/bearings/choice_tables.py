@@ -150,7 +150,7 @@ def notes(choice: KindsFound) -> Iterator[Text]:
 
 
 def written(choice: KindsFound, number: int) -> Text:
-    row = choice.rows[number - 1]
+    row = choice.row(number)
     sides = listed(Text("{place} {size}", place=called(side.row.name), size=side.words) for side in row.sides)
     power = Amount(row.loss, "W")
     return Text("now has the bearings of row {row} ({sides}): {power}", row=number, sides=sides, power=power)

@@ -12,11 +12,12 @@ from ..countershaft.inputs import ShaftInputs
 from ..countershaft.rows import IN_WORDS
 from ..engine.inputs import EngineInputs
 from ..imbalance.inputs import ImbalanceInputs
+from ..sheet.errors import BadInput
 from ..sheet.quantity import Published, dotted, results_of
 from ..sheet.remedy import Changes
 from ..sheet.step import OF_SHAFTS
 from ..sheet.text import COMMA, Amount, Name, Small, Text
-from .addresses import ARRAYS, called, in_array, own_shafts, place_words, quantity_of, value_at, within
+from .addresses import ARRAYS, called, declared, in_array, own_shafts, place_words, quantity_of, value_at, within
 from .model import STEP_KEYS, Design
 from .toml_file import Document
 
@@ -71,6 +72,17 @@ def _change(document: Document, results: "Results", key: str, new: object) -> Te
 def named(document: Document, key: str) -> Text:
     """A key as the user knows it: the label of its field, and where it stands."""
     return _with_shaft(document, key, called(key, quantity_of(document.data, key)))
+
+
+def asked(document: Document, key: str) -> Text:
+    """The same of what a check lacks, which may be a table, or of an element that is not there yet."""
+    try:
+        return named(document, key)
+    except BadInput:
+        about = declared(key.split("."))
+        if about is not None and about.table is None:
+            return Small(about.label)
+        return Name(key.rpartition(".")[2].replace("_", " "))
 
 
 def published(results: "Results", key: str) -> Published | None:

@@ -24,22 +24,34 @@ from ..sheet.text import Text
 A = TypeVar("A")
 R = TypeVar("R")
 LOSSES = 2  # of the workers that a piece may cost
+MOMENT = 0.2  # s, from one pulse to the next
 ANSWER = 10  # s, until which a scheduler must be there
 
 
 def spread(
-    work: Callable[[A, int], R], what: A, waiting: Sequence[int], processes: int = 1, scheduler: str = ""
+    work: Callable[[A, int], R],
+    what: A,
+    waiting: Sequence[int],
+    processes: int = 1,
+    scheduler: str = "",
+    pulse: Callable[[], None] | None = None,
 ) -> Iterator[tuple[int, R]]:
     """`work(what, n)` for every number that waits, begun in that order, each as it is done.  `scheduler`: the address
-    of a dask one."""
+    of a dask one.  `pulse` is called every moment while processes are waited for, and ends them by what it raises."""
     if scheduler:
         return _farmed(work, what, waiting, scheduler)
     if processes <= 1 or len(waiting) <= 1:
         return ((n, work(what, n)) for n in waiting)
-    return _parallel(work, what, waiting, processes)
+    return _parallel(work, what, waiting, processes, pulse)
 
 
-def _parallel(work: Callable[[A, int], R], what: A, waiting: Sequence[int], processes: int) -> Iterator[tuple[int, R]]:
+def _parallel(
+    work: Callable[[A, int], R],
+    what: A,
+    waiting: Sequence[int],
+    processes: int,
+    pulse: Callable[[], None] | None,
+) -> Iterator[tuple[int, R]]:
     if sys.__stderr__ is not None:  # a screen's own has no file behind it: multiprocessing's tracker needs one
         with redirect_stderr(sys.__stderr__):
             resource_tracker.ensure_running()
@@ -55,7 +67,9 @@ def _parallel(work: Callable[[A, int], R], what: A, waiting: Sequence[int], proc
                 running = {pool.submit(work, what, n): n for n in waiting if n in left}
             pending = set(running)
             while pending:
-                finished, pending = wait(pending, return_when=FIRST_COMPLETED)
+                finished, pending = wait(pending, MOMENT if pulse is not None else None, FIRST_COMPLETED)
+                if pulse is not None:
+                    pulse()
                 for future in finished:
                     result = future.result()
                     n = running.pop(future)  # its result need not be kept here

@@ -139,6 +139,9 @@ async def test_help_and_palette_know_every_action(screen: Screen) -> None:
         assert isinstance(bench, Workbench)
         found = [entry.title for entry in entries(bench.app, bench) if entry.first]
         for action in ACTIONS:
+            if action.id == "drive":  # offered where it can run, which is not here: there are no bearings
+                assert not any(action.title in text for text in found) and "bearings" in bench.no_drive()
+                continue
             assert action.id in HIDDEN or any(action.title in text for text in found), action.id
         await pilot.press("f1")
         await pilot.pause()

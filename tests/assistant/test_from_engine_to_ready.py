@@ -20,7 +20,8 @@ from calc.design.addresses import asks
 from calc.design.model import STEPS
 from calc.sheet.verdict import grouped
 from calc.studies.ready import LEFT, OF_PROGRAM
-from calc.studies.repair.options import ranked, search
+from calc.studies.repair.option import ranked
+from calc.studies.repair.options import search
 from calc.studies.shipped import DESIGNS
 from calc.studies.starter.build import choice_made
 from tests.assistant.driving import until

@@ -13,7 +13,7 @@ from textual.widgets import Static
 
 from assistant.offers import Offer
 from assistant.screens import selection
-from assistant.screens.selection import Choosing, Searching
+from assistant.screens.selection import Choosing, Searching, time_left
 from assistant.screens.workbench import Workbench
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.progress import Progress
@@ -74,12 +74,28 @@ async def test_how_far_it_is(screen: Screen, ascii: bool, bar: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("seconds", "share", "words"),
+    [
+        (2.0, 0.5, ""),  # nobody can know yet
+        (60.0, 0.02, ""),
+        (10.0, 0.5, "about 10 s left"),
+        (4.0, 0.8, "about 1 s left"),
+        (17.0, 0.4, "about 25 s left"),
+        (200.0, 0.5, "about 3 min left"),
+        (200.0, 1.0, ""),
+    ],
+)
+def test_how_long_it_still_takes(seconds: float, share: float, words: str) -> None:
+    assert time_left(seconds, share) == words
+
+
+@pytest.mark.parametrize(
     ("error", "words"),
     [
         (NoSolution(Text("no pair fits")), "no pair fits"),
         (
             BadInput("x.toml", [InputError(1, "engine.bore_mm", "-1", Text("is below zero"))]),
-            "engine.bore_mm: is below zero",
+            "bore: is below zero",
         ),
         (ZeroDivisionError("by nought"), "the program made a mistake: ZeroDivisionError: by nought"),
     ],
@@ -95,6 +111,7 @@ async def test_why_it_ends(
 
     async with screen() as pilot:
         shown = Letters(search)
+        shown.session = work(pilot).session
         pilot.app.push_screen(shown)
         await until(pilot, lambda: bool(shown.letters) and not shown.searching)
         assert words in shown.state and shown.letters == ["a"]

@@ -326,11 +326,7 @@ def envelope(shaft: ShaftInputs, place: str) -> Envelope:
             Text("where the outer faces of the sectors stand; without journals it can not be derived"),
         )
     if r_0 is None:
-        what = Text(
-            "the radius of the shaft that carries the sectors; `contralbero set FILE {key}=15`",
-            key=dotted("shafts", shaft.name, ShaftInputs.core_radius),
-        )
-        r_0 = missing(ShaftInputs.core_radius, what)
+        r_0 = missing(ShaftInputs.core_radius, Text("the radius of the shaft that carries the sectors, 15 mm say"))
     elif R is not None and r_0 >= R:
         reason = Text("must be smaller than the outer radius, {R}", R=_mm(R))
         errors.append(InputError(0, dotted("shafts", shaft.name, ShaftInputs.core_radius), f"{r_0 * 1e3:g}", reason))

@@ -21,7 +21,7 @@ from ..wheel_inputs import Wheel
 
 STARTS = (None, 0.0, 0.25, 0.5, 1.0)  # shifts at which the train is settled once; None: that of the design
 STEP = 1e-3  # by which a free shift is moved to see who follows
-HELD = 7  # digits of a held centre distance in metres: 0.1 µm
+HELD = 6  # digits of a held centre distance in metres: 1 µm, as drawings have it
 SAME = 1e-12
 
 

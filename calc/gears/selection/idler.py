@@ -103,7 +103,7 @@ def _tried(gears: GearsInputs, wheel: Wheel, axes: Axes, progress: Progress | No
         elif free is not None and (present := without_backlash[now]) is not None:
             grown = {i: free.distances[key] - present.distances[key] for i in given for key in [gears.meshes[i].key]}
             apart = {i: round(a + grown[i], HELD) for i, a in given.items()}
-            distances = {mesh_key(i, Mesh.centre_distance): round(a * 1e3, 4) for i, a in apart.items()}
+            distances = {mesh_key(i, Mesh.centre_distance): round(a * 1e3, 3) for i, a in apart.items()}
             changes = {wheel_key(name, Wheel.teeth): teeth, **distances, **gone}
             yield _judged(_with(gears, name, teeth, apart), name, teeth, axes, changes)
 

@@ -276,7 +276,7 @@ def summary(result: ShiftsFound) -> tuple[Text, ...]:
     for way in result.freedoms:
         more = EMPTY
         if way.held:
-            titles = ((result.case.gears.meshes[i].title, Amount(a * 1e3, form=".4f")) for i, a in way.held.items())
+            titles = ((result.case.gears.meshes[i].title, Amount(a * 1e3, form=".3f")) for i, a in way.held.items())
             held = (Text("{mesh} at {a} mm", mesh=title, a=a) for title, a in titles)
             more = Text(" Held: {distances}.", distances=COMMA.join(held))
         elif opened := [m.title for m in way.gears.meshes if m.centre_distance is None]:
@@ -352,7 +352,7 @@ def changes(row: ShiftRow) -> Changes:
 def freed(way: Freedom, free: Mapping[str, float]) -> Changes:
     """The keys of free shifts: those that would contradict them go, distances that were held are given."""
     shifts = {wheel_key(name, Wheel.profile_shift): round(x, 4) for name, x in free.items()}
-    held = {mesh_key(i, Mesh.centre_distance): round(a * 1e3, 4) for i, a in way.held.items()}
+    held = {mesh_key(i, Mesh.centre_distance): round(a * 1e3, 3) for i, a in way.held.items()}
     return dict.fromkeys(way.removed) | shifts | held
 
 
@@ -360,7 +360,7 @@ def changed(row: ShiftRow) -> Text:
     """`x central = 0.0873, tip cut idler 0.3 mm`."""
     words = [Text("x {wheel} = {x}", wheel=name, x=Amount(x, form=".4f")) for name, x in row.free.items()]
     if row.freedom is not None:
-        held = ((row.freedom.gears.meshes[i].title, Amount(a * 1e3, form=".4f")) for i, a in row.freedom.held.items())
+        held = ((row.freedom.gears.meshes[i].title, Amount(a * 1e3, form=".3f")) for i, a in row.freedom.held.items())
         words += [Text("{mesh} {a} mm", mesh=mesh, a=a) for mesh, a in held]
     cuts = ((name, Amount(k * 1e3, "mm", form="g")) for name, k in row.cuts.items())
     return COMMA.join(words + [Text("tip cut {wheel} {k}", wheel=name, k=k) for name, k in cuts])

@@ -2,6 +2,7 @@
 """One class: its films and shafts, and the front of all their combinations.  It keeps no state: the same rows wherever
 it runs."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -24,6 +25,7 @@ from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.record import record
+from ...sheet.step import Outcome
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Kilogram
 from ...sheet.value import recorded, untraced
@@ -122,8 +124,10 @@ def _put(problem: Problem, design: Design, results: Results) -> tuple[ShaftSurro
     return drive, sizes_of(problem, design, results, drive)
 
 
-def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]:
-    """With the shaft in view that is searched."""
+def _solved(
+    problem: Problem, choices: dict[str, Any], enough: Callable[[Outcome[object]], bool] | None = None
+) -> tuple[Design, Results]:
+    """With the shaft in view that is searched; `enough` ends the solution early, as in `solve`."""
     try:
         class_design = design(based(problem, choices))
     except BadInput as bad:
@@ -131,7 +135,7 @@ def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]
             Text("no sizes in the ranges make a design"), Text("{why}", why=str(bad.errors[0].reason))
         ) from None
     with recorded(False):
-        results = solve(class_design)
+        results = solve(class_design, enough=enough)
     results = problem.seen(results)
     if (shaft := results.outcomes["countershaft"]).state != "solved":
         raise NoSolution(Text("even the largest envelope of the ranges does not hold the couple"), shaft.reason)
@@ -141,9 +145,9 @@ def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]
 
 
 def without_proof(problem: Problem) -> Text | None:
-    """Why no front of this drive can be proved; None where it can, as far as its first class says."""
+    """Why no front of this drive can be proved; None where it can, as far as the shaft of its first class says."""
     try:
-        _solved(problem, problem.classes[0])
+        _solved(problem, problem.classes[0], lambda outcome: outcome.key == "countershaft")
     except NotClosed as why:
         return why.text
     except NoSolution:

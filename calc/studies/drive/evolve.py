@@ -7,6 +7,7 @@ known, and is not said. Deb, Pratap, Agarwal & Meyarivan 2002, A fast and elitis
 NSGA-II; by pymoo, an extra."""
 
 from collections.abc import Callable
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -32,7 +33,8 @@ EVALUATIONS = 1600  # whole solutions; the command line has its own
 LENGTH_STEP, CLEARANCE_STEP = 0.5, 5.0  # mm, µm
 NARROWEST = 0.5e-3  # of the diameter
 ABOUT = 0.1  # of the range of each variable: how far half of the first points lie about the design as it is
-NEEDS = Text("pymoo, which the extra `contralbero[search]` installs")
+INSTALL = "pip install 'contralbero[search]'"
+NEEDS = Text("needs the package pymoo: `{command}` installs it", command=INSTALL)
 
 
 def may(problem: Problem) -> Text | None:
@@ -43,6 +45,11 @@ def may(problem: Problem) -> Text | None:
     if len(shaft.bearing_positions) != 2:
         return Text("the shaft has more than two supports: no sectors are sized for it")
     return None
+
+
+def installed() -> bool:
+    """Whether the package is there with which it searches."""
+    return find_spec("pymoo") is not None
 
 
 def evolved(
@@ -66,9 +73,7 @@ def evolved(
         from pymoo.operators.mutation.pm import PM
         from pymoo.optimize import minimize
     except ImportError:
-        why = Text(
-            "the front of this drive can not be proved on arrays, and the search without proof needs {what}", what=NEEDS
-        )
+        why = Text("this drive is searched by trying whole solutions, which {needs}", needs=NEEDS)
         raise NoSolution(why) from None
     space = Space(problem)
 

@@ -79,10 +79,16 @@ class FrontFound:
 def asked(document: Document, overrides: dict[str, object]) -> tuple[Problem, Results]:
     """The problem of a design, and the design solved as it is."""
     base = design(document)
-    name = searched(document, base, overrides)
+    searched(document, base, overrides)  # which it is, is said before anything is solved
     results = solve(base)
-    gear = shaft_gear(base, results.result(TrainResult), name)
-    return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, overrides, name), results
+    return asked_of(document, results, overrides), results
+
+
+def asked_of(document: Document, results: Results, overrides: Mapping[str, object] = {}) -> Problem:
+    """The same of a design that is solved already."""
+    name = searched(document, results.design, overrides)
+    gear = shaft_gear(results.design, results.result(TrainResult), name)
+    return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, overrides, name)
 
 
 # --- the classes
@@ -99,17 +105,21 @@ def one_class(problem: Problem, n: int) -> ClassFront:
 
 
 def classes(
-    problem: Problem, processes: int = 1, parts: Path | None = None, scheduler: str = ""
+    problem: Problem,
+    processes: int = 1,
+    parts: Path | None = None,
+    scheduler: str = "",
+    pulse: Callable[[], None] | None = None,
 ) -> Iterator[tuple[int, ClassFront]]:
     """Every class as it is done.  `parts`: a folder in which results are kept and looked for; `scheduler`: address of a
-    dask one."""
+    dask one; `pulse`: called while processes are waited for."""
     waiting = []
     for n in promising(problem):
         if (known := _kept(problem, n, parts)) is not None:
             yield n, known
         else:
             waiting.append(n)
-    for n, class_front in spread(one_class, problem, waiting, processes, scheduler):
+    for n, class_front in spread(one_class, problem, waiting, processes, scheduler, pulse):
         _keep(problem, n, class_front, parts)
         yield n, class_front
 
@@ -317,6 +327,7 @@ def search(
     stop: Callable[[], bool] = bool,
     first: Callable[[Whole], None] | None = None,
     enough: Callable[[], bool] = bool,
+    pulse: Callable[[], None] | None = None,
 ) -> FrontFound:
     """The front of whole drives.  `stop`, asked after each class, or a KeyboardInterrupt ends the classes; what is
     known by then is solved whole and given, until `enough`, asked after each drive.  `first` is told the first drive
@@ -324,7 +335,7 @@ def search(
     done: dict[int, ClassFront] = {}
     passing: Whole | None = None
     try:
-        for n, class_front in classes(problem, processes, parts, scheduler):
+        for n, class_front in classes(problem, processes, parts, scheduler, pulse):
             done[n] = class_front
             known = table(problem, done)
             if progress is not None:

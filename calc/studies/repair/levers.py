@@ -3,6 +3,7 @@
 
 Which inputs are free, which are asked for and what their changes are called stands where they are declared."""
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import copysign, isclose
@@ -132,6 +133,50 @@ def free_keys(state: RepairState, step: str, checks: Iterable[Check]) -> tuple[l
     return beside, [key for key in free if key not in beside]
 
 
+# --- numbers as a workshop writes them
+
+GRIDS = {
+    "mm": 0.1, "µm": 1.0, "°": 0.1, "kg": 0.001, "g": 1.0, "N·m": 0.1, "bar": 0.1, "K": 1.0, "°C": 1.0, "%": 1.0,
+    "HV": 10.0, "MPa": 1.0, "N": 1.0, "rpm": 10.0,
+}  # fmt: skip
+COARSE = 0.05  # of a number: a grid that its field does not say itself is no coarser
+FINER = 0.1  # of the grid, where no number on it will do
+
+
+def grid(about: Quantity, now: float) -> float | None:
+    """What numbers of a field are multiples of, in its unit: the step of the field, else what is usual for the unit."""
+    if about.step is not None:
+        return about.step
+    step = GRIDS.get(about.unit)
+    while step is not None and now and step > COARSE * abs(now) * (1 + 1e-9):
+        step /= 10
+    return step
+
+
+def on_grid(about: Quantity, now: float, number: float, finer: float = 1.0) -> float:
+    """The number on the grid of its field that is next to it, seen from what stands there now."""
+    step = grid(about, now)
+    if about.kind in ("integer", "integers") or step is None or number == now:
+        return number
+    step *= finer
+    n = math.ceil(number / step - 1e-6) if number > now else math.floor(number / step + 1e-6)
+    return round(n * step) if isinstance(number, int) else digits(n * step)
+
+
+def settled(document: Document, changes: Changes) -> Changes:
+    """Changes with their numbers on the grids of their fields."""
+    written: Changes = {}
+    for key, new in changes.items():
+        about, now = quantity_of(document.data, key), value_at(document.data, key)
+        olds, news = ([x for x in as_list(value) if isinstance(x, (int, float))] for value in (now, new))
+        if about.kind in NUMBERS and len(olds) == len(news) == len(as_list(new)) > 0:
+            numbers = [on_grid(about, a, b) for a, b in zip(olds, news)]
+            written[key] = numbers if isinstance(new, (list, tuple)) else numbers[0]
+        else:
+            written[key] = new
+    return written
+
+
 # --- numbers that move together
 
 NUMBERS = ("number", "integer", "series")
@@ -149,10 +194,16 @@ class Lever:
     about: Quantity
     write: Callable[[float], Changes]
     scale: float  # what a change counts against
+    settle: Callable[[Changes], Changes] = lambda changes: changes  # the numbers beside it as a workshop writes them
 
     def at(self, number: float) -> Changes | None:
         """None where the input does not allow the number."""
         return self.write(number) if self.about.allows(number) else None
+
+    def offered_at(self, number: float) -> Changes | None:
+        """The same as it is offered."""
+        changes = self.at(number)
+        return None if changes is None else self.settle(changes)
 
     @property
     def step(self) -> float:
@@ -165,6 +216,21 @@ class Lever:
         if self.about.kind == "integer" or (self.about.unit == "µm" and abs(off) < 1.0 and self.scale >= 50.0):
             off = copysign(max(1.0, round(abs(off))), off)
         return self.now + off
+
+    def offered(self, *numbers: float) -> list[float]:
+        """Numbers as a workshop writes them, none of them nearer to that of now than before; the last one on a finer
+        grid as well."""
+        written = [on_grid(self.about, self.now, x) for x in numbers]
+        return list(dict.fromkeys([*written, on_grid(self.about, self.now, numbers[-1], FINER)]))
+
+    def short_of(self, number: float) -> float:
+        """The number on the grid that lies nearer to that of now; the number itself where there is none."""
+        step = grid(self.about, self.now)
+        if step is None or self.about.kind == "integer":
+            return number
+        n = math.floor(number / step + 1e-6) if number > self.now else math.ceil(number / step - 1e-6)
+        nearer = digits(n * step)
+        return nearer if (nearer - self.now) * (number - self.now) > 0 else number
 
     def rounded(self, low: float, high: float) -> float:
         """The number of the fewest digits between two relative changes, but for the first of them."""
@@ -209,12 +275,16 @@ def _scaled(state: RepairState, numbers: Mapping[str, list[float]], key: str, ab
         scaled = {name: [digits(n * x / now, 6) for n in some] for name, some in numbers.items()}
         return {name: some if name in lists else some[0] for name, some in scaled.items()}
 
+    def settle(changes: Changes) -> Changes:
+        others = [name for name in numbers if name != key or name in lists]
+        return changes | settled(state.document, {name: changes[name] for name in others})
+
     if about is described(ShaftInputs.core_radius) and (slopes := given_slopes(state.view(key))):
-        yield Lever(now, about, lambda x: write(x) | dict.fromkeys(slopes), abs(now))
+        yield Lever(now, about, lambda x: write(x) | dict.fromkeys(slopes), abs(now), settle)
         return
-    yield Lever(now, about, write, abs(now))
+    yield Lever(now, about, write, abs(now), settle)
     if about is described(BearingRow.length) and (outer := outwards(state, key, now)) is not None:
-        yield Lever(now, about, lambda x: write(x) | outer(x), abs(now))
+        yield Lever(now, about, lambda x: write(x) | outer(x), abs(now), settle)
 
 
 def given_slopes(design: Design) -> list[str]:

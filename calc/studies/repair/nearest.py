@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from ...countershaft.checks import ENVELOPE, ENVELOPE_LENGTH
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.outline import CROSSING, MASS_SHAPE
+from ...design.addresses import value_at
 from ...design.model import IN_SENTENCES
 from ...design.names import words
 from ...design.toml_file import Document
@@ -24,12 +25,13 @@ from ...gears.rating.checks import SAFETY_BENDING, SAFETY_CONTACT
 from ...sheet.check import Check, CheckRule
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, part
-from ...sheet.remedy import assignments
+from ...sheet.remedy import Changes, assignments
 from ...sheet.search import Budget
 from ...sheet.step import Outcome
 from ...sheet.text import COMMA, Text
 from ...solve import Results
 from . import sizing, teeth
+from .levers import settled
 from .state import ORDER, RepairState, broken, first_repaired, is_mended, repaired, state_of, warned
 from .trials import one_number
 
@@ -57,6 +59,12 @@ class NearestRemedy:
     breaks: tuple[str, ...]
     document: Document
     results: Results
+
+    @property
+    def made(self) -> Changes:
+        """Each key with its new value."""
+        keys = [change.partition("=")[0] for change in self.changes]
+        return {key: value_at(self.document.data, key) for key in keys}
 
 
 @dataclass(frozen=True)
@@ -299,7 +307,8 @@ class _Step:
     def _one_number(self, state: RepairState, failing: tuple[Check, ...], progress: Progress | None) -> RepairState:
         """By what a check itself names as a remedy, where that breaks nothing; else by the search over single
         numbers."""
-        named = [dict(remedy.changes) for c in failing for remedy in c.remedies]
+        exact = [dict(remedy.changes) for c in failing for remedy in c.remedies]
+        named = [way for changes in exact for way in (settled(state.document, changes), changes)]
         try:
             mended = first_repaired(state, self.step, [c.id for c in failing], named, progress, most=NAMED)
         except NoSolution:

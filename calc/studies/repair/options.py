@@ -8,12 +8,12 @@ breaks something else, then one that only comes nearer.  What is locked is shown
 import math
 import time
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
 
 from ...bearings.inputs import BearingsInputs
 from ...bearings.plain.checks import (
-    CLEARANCE_COLD_CORNER,
     FILM_DOUBLE_LOAD,
     FILM_EDGE,
     FILM_EDGE_CORNER,
@@ -25,23 +25,17 @@ from ...bearings.plain.checks import (
     FILM_OVERSPEED,
     FILM_PRESSURE,
     FILM_TRUMPLER,
-    TEMPERATURE_CORNER,
     TRANSITION,
 )
-from ...bearings.plain.result import PlainResult
 from ...bearings.plain.selection.variants import closer_fits, variants
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE, RESIDUAL_FORCE_SHARE, RESIDUAL_SHARE
 from ...countershaft.making.unbalance import HOLES_RANGE
-from ...countershaft.result import CountershaftResult
-from ...countershaft.shafts import ShaftsResult
-from ...design.addresses import quantity_of, value_at
-from ...design.locks import USUAL, locked
+from ...design.addresses import address, quantity_of, value_at
+from ...design.locks import locked
 from ...design.model import Design
-from ...design.names import named, published, words, written
+from ...design.names import asked, named, published, written
 from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document
-from ...friction.result import FrictionResult
-from ...gears.backlash.checks import BACKLASH_WORST
 from ...gears.rating.checks import (
     MICROPITTING_FILM,
     SAFETY_BENDING,
@@ -55,157 +49,16 @@ from ...sheet.deferred import Later
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, part, tell
 from ...sheet.quantity import Quantity, dotted
-from ...sheet.remedy import Changes, assignments
+from ...sheet.remedy import Changes
 from ...sheet.search import Budget, closer, rounded
-from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
-from ...sheet.verdict import named as named_checks
+from ...sheet.text import EMPTY, Small, Text
 from ...solve import Results, solve
 from . import sizing
-from .levers import Lever, called, disturbance, free_keys, kind_of, levers, named_keys, place_of, words_of
-from .nearest import remedy
-from .state import ORDER, RepairState, broken, closer_limits, is_mended, state_of
+from .levers import Lever, called, free_keys, kind_of, levers, named_keys, place_of, settled, words_of
+from .nearest import NearestRemedy, remedy
+from .option import ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, RepairOption, rank, repair_option
+from .state import RepairState, held, state_of
 from .trials import ROUND, Trials
-
-# --- one way to mend a finding: what it changes, how far it comes, and what it does to all the rest
-
-MOST, SHUT = 5, 2  # that are offered, and of these locked ones
-ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, LOCKED = range(5)  # how good a way is
-
-
-@dataclass(frozen=True)
-class RepairOption:
-    """One remedy.  `kind`: in the words of the trade; `words`: the change in labels and units of the fields; `made`:
-    each key with its new value, `changes` the same as KEY=VALUE.
-
-    `passes`: the finding and the limits of its group hold; `effect` says how far it comes.  `left`: names of what is
-    still open in the group; `breaks`: names of limits that are judged worse then, and of steps without a solution;
-    `closer`: of limits that come closer to failing, or further out, in words. `verdicts`: step, before, after. `power`
-    [W], `mass` [kg]: before and after, of the crank's loss and the shaft; `cold` [µm]: the cold clearance, of a
-    bearing. `locked`: why it was not looked at."""
-
-    kind: Text
-    keys: tuple[str, ...]
-    made: tuple[tuple[str, object], ...] = ()
-    words: Text = EMPTY
-    effect: Text = EMPTY
-    quality: int = LOCKED
-    disturbance: float = 0.0
-    left: tuple[Text, ...] = ()
-    breaks: tuple[Text, ...] = ()
-    closer: tuple[Text, ...] = ()
-    verdicts: tuple[tuple[str, str, str], ...] = ()
-    power: tuple[float, float] | None = None
-    mass: tuple[float, float] | None = None
-    cold: float | None = None
-    locked: str = ""
-
-    @property
-    def changes(self) -> tuple[str, ...]:
-        return tuple(assignments(dict(self.made)))
-
-    @property
-    def passes(self) -> bool:
-        return self.quality < NEAR
-
-    @property
-    def rest(self) -> Text:
-        """What it does beside: `+9 W, +0.4 kg, cold gap 32 µm; then not kept: …`."""
-        parts = [
-            Text("{change}", change=Amount(b - a, unit, form="+.3g"))
-            for pair, unit in ((self.power, "W"), (self.mass, "kg"))
-            if pair is not None and abs((b := pair[1]) - (a := pair[0])) > 5e-4 * abs(a)
-        ]
-        if self.cold is not None:
-            parts.append(Text("cold gap {gap}", gap=Amount(self.cold, "µm", digits=3)))
-        texts = [COMMA.join(parts)] if parts else []
-        if self.breaks:
-            texts.append(Text("then not kept: {checks}", checks=COMMA.join(self.breaks[:2])))
-        if self.closer:
-            texts.append(Text("then closer: {checks}", checks=COMMA.join(self.closer[:2])))
-        return SEMICOLON.join(texts) if texts else EMPTY
-
-
-def ranked(ways: Iterable[RepairOption]) -> tuple[RepairOption, ...]:
-    """The best few, what is locked last."""
-    every = sorted(ways, key=_rank)
-    shut = sorted((way for way in every if way.locked), key=lambda way: way.keys[0] in USUAL)[:SHUT]
-    return (*[way for way in every if not way.locked][: MOST - len(shut)], *shut)
-
-
-def repair_option(
-    state: RepairState, after: RepairState, changes: Changes, group: tuple[Check, ...], kind: Text
-) -> RepairOption:
-    """A way that was found, with all that it does."""
-    left = _open_still(after, group)
-    names = {c.id: c.name for c in after.results.checks()}
-    worse = broken(state, after)
-    breaks = tuple(names.get(id, Text("{step} has no solution", step=id)) for id in worse)
-    mine = {c.id for c in group} | set(worse)
-    part = group[0].id.rpartition(".")[0] if group else ""
-    closer = tuple(named_checks([c]) for c in closer_limits(state.results, after.results, part) if c.id not in mine)
-    limits = any(c.verdict == "fail" for c in left) or (bool(left) and left[0].id == group[0].id)
-    quality = NEAR if limits else BREAKS if breaks else AS_GIVEN if left else ALL_CORNERS
-    before, then = state.results, after.results
-    gaps = {v.id.rpartition(".")[0]: v.shown for v in then.values_of(PlainResult.clearance_cold)}
-    return RepairOption(
-        kind,
-        tuple(changes),
-        tuple(changes.items()),
-        words(state.document, before, changes),
-        _effect(after, group, left, quality),
-        quality,
-        disturbance(state.document, changes),
-        tuple(c.name for c in left),
-        breaks,
-        closer,
-        tuple((key, before.outcomes[key].verdict, then.outcomes[key].verdict) for key in ORDER),
-        _pair(before, then, FrictionResult.total_loss),
-        _pair(before, then, ShaftsResult.shaft_mass) or _pair(before, then, CountershaftResult.mass),
-        gaps.get(part),
-    )
-
-
-def _pair(before: Results, after: Results, field: object) -> tuple[float, float] | None:
-    first, other = before.value(field), after.value(field)
-    return (first.shown, other.shown) if first is not None and other is not None else None
-
-
-def _open_still(after: RepairState, group: tuple[Check, ...]) -> tuple[Check, ...]:
-    """Of a group what is not mended: a limit that failed must hold, all else must be closed."""
-    there = {c.id: c for c in after.results.checks()}
-    return tuple(
-        there[c.id]
-        for c in group
-        if c.id in there and (there[c.id].open if c.verdict != "fail" else not is_mended(there[c.id]))
-    )
-
-
-AT_CORNERS = (FILM_EDGE_CORNER, TEMPERATURE_CORNER, CLEARANCE_COLD_CORNER, BACKLASH_WORST)
-
-
-def _effect(after: RepairState, group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> Text:
-    if quality == NEAR and left:
-        worst = left[0]
-        if worst.id != group[0].id:
-            return Text("still open: {checks}", checks=worst.name)
-        return Text(
-            "comes to {value}, needs {limit}", value=Amount(worst.value, worst.unit, digits=3), limit=worst.limit_text()
-        )
-    if left:
-        return plural(
-            "passes as given; {n} finding is still open", "passes as given; {n} findings are still open", n=len(left)
-        )
-    ids = {c.id for c in group}
-    if unknown := [c for c in after.results.checks() if c.id in ids and c.verdict == "not_verified"]:
-        keys = dict.fromkeys(key for c in unknown for key in c.missing)
-        return Text("holds as taken; not verified without {keys}", keys=Name(", ".join(keys)))
-    return Text("passes, also at every corner") if any(c.rule in AT_CORNERS for c in group) else Text("passes")
-
-
-def _rank(way: RepairOption) -> tuple[int, float]:
-    """What passes everything first, then by the smallest disturbance."""
-    return way.quality, way.disturbance
-
 
 # --- which kinds are looked at
 
@@ -215,12 +68,12 @@ SETS = 12  # changes of one kind that are tried as they are
 
 @dataclass(frozen=True)
 class LeverPlan:
-    """One kind of remedy: its keys, what can be moved, what can be tried; `reason`: why its one key is locked."""
+    """One kind of remedy: its keys, what can be moved, what can be tried; `reason`: why its one key is held."""
 
     keys: tuple[str, ...]
     levers: tuple[Lever, ...] = ()
     sets: tuple[Changes, ...] = ()
-    reason: str = ""
+    reason: Text = EMPTY
 
 
 def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[LeverPlan]:
@@ -234,10 +87,7 @@ def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[Lever
     for key in dict.fromkeys([*first, *named_keys(state, group), *free_keys(state, step, group)[0]]):
         by_kind.setdefault(kind_of(document, key), []).append(key)
     shut = [
-        LeverPlan((key,), reason=reason)
-        for keys in by_kind.values()
-        for key in keys
-        if (reason := locked(document.data, key))
+        LeverPlan((key,), reason=reason) for keys in by_kind.values() for key in keys if (reason := held(state, key))
     ]
     by_first = [(kind_of(document, key), changes) for key, changes in zip(first, tried)]
     filled = (
@@ -249,9 +99,8 @@ def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[Lever
 
 def _filled(state: RepairState, keys: list[str], tried: list[Changes]) -> LeverPlan | None:
     """With its levers and its changes of what is free; None where it has none."""
-    data = state.document.data
-    free = [key for key in keys if not locked(data, key)]
-    sets = [changes for changes in tried if not any(locked(data, key) for key in changes)]
+    free = [key for key in keys if not held(state, key)]
+    sets = [changes for changes in tried if not any(held(state, key) for key in changes)]
     sets += [changes for key in free for changes in _words(state, key)]
     by_place: dict[str, list[str]] = {}
     for key in free:
@@ -326,7 +175,8 @@ DEAR = 3.0  # times the change that is enough as given, beyond which the corners
 EIGHTH = 0.125  # of a change that breaks something: so close to it one that does not is looked for
 LARGE = 0.25  # relative change beyond which one that breaks something else is no remedy
 MANY = 3  # limits that a remedy may break
-NEARER = 0.1  # share of what is missing that a change must bring to be worth a row
+ABSURD = 3.0  # relative change beyond which what a check computes is no remedy: a flywheel of seventy times its inertia
+NEARER = 0.9  # share of what is missing that a change may leave to be worth a row
 
 
 def _best(
@@ -338,7 +188,10 @@ def _best(
     tell(progress, 0.0, name)
     trials = Trials(state, step, group, Budget(TRIES), progress, name, FARTHEST, ROUND)
     for changes in plan.sets:
-        if (way := _way(trials, changes)) is not None:
+        way = _way(trials, settled(state.document, changes))
+        if way is None or not way.passes:
+            way = _way(trials, changes)
+        if way is not None:
             options.append(way)
             if way.quality == ALL_CORNERS:
                 break
@@ -352,7 +205,7 @@ def _best(
             options.append(way)
             if way.quality in (ALL_CORNERS, BREAKS):
                 break
-    options = sorted((way for way in options if _worth(trials, way)), key=_rank)
+    options = sorted((way for way in options if _worth(trials, way)), key=rank)
     given = next((way for way in options if way.quality == AS_GIVEN), None)
     if given is not None and options[0].disturbance > max(DEAR * given.disturbance, LARGE):
         return given
@@ -376,16 +229,22 @@ def _worth(trials: Trials, way: RepairOption) -> bool:
     """Whether it is worth a row: it breaks little, and comes clearly nearer."""
     if way.quality != NEAR:
         return len(way.breaks) <= MANY
+    after = trials.tried(dict(way.made), whole=True)
+    return not way.breaks and after is not None and _missing(trials, after) < _missing(trials, trials.state) * NEARER
+
+
+def _missing(trials: Trials, after: RepairState) -> float:
+    """What the first check lacks, in its unit: a limit that moves away without the value is nothing gained."""
     first = trials.checks[:1]
-    gap, still = -trials.score(trials.state, first), -trials.score(trials.tried(dict(way.made), whole=True), first)
-    return not way.breaks and still < gap * (1 - NEARER)
+    scale = next((c.scale for c in after.outcome(trials.step).checks if c.id == first[0].id), 0.0) if first else 0.0
+    return -trials.score(after, first) * (scale or 1.0)
 
 
 def _moved(trials: Trials, lever: Lever, wanted: tuple[Check, ...]) -> RepairOption | None:
     """The smallest change by which what is wanted holds, else the one that comes nearest."""
     numbers, nearest = trials.enough(lever, wanted)
     for number in numbers:
-        if (way := _way(trials, lever.at(number) or {})) is not None:
+        if (way := _way(trials, lever.offered_at(number) or {})) is not None:
             large = way.breaks and way.disturbance >= LARGE
             return _nearer(trials, lever, (number - lever.now) / lever.scale) if large else way
     return _nearer(trials, lever, nearest) if nearest else None
@@ -399,7 +258,7 @@ def _nearer(trials: Trials, lever: Lever, end: float) -> RepairOption | None:
         """0 where something does, else no number."""
         change = share * abs(end)
         number = lever.rounded(math.copysign(change - min(ROUND, change / 5), end), math.copysign(change, end))
-        changes = lever.at(number)
+        changes = lever.offered_at(lever.short_of(number))
         way = _way(trials, changes) if changes is not None else None
         if way is None or way.breaks:
             return 0.0
@@ -432,9 +291,10 @@ def search(
     results: Results | None = None,
     progress: Progress | None = None,
     seconds: float | None = None,
+    nearest: NearestRemedy | None = None,
 ) -> Iterator[RepairOption]:
     """Remedies of one finding, or of a step without a solution, each as soon as it is found.  `progress` may raise
-    `Cancelled`; `seconds`: after so many no further kind is begun."""
+    `Cancelled`; `seconds`: after so many no further kind is begun; `nearest`: that of the step, where it is known."""
     state, ends = state_of(document, results), math.inf if seconds is None else time.monotonic() + seconds
     step = finding if isinstance(finding, str) else finding.id.partition(".")[0]
     group = () if isinstance(finding, str) else group_of(state.results, finding)
@@ -456,7 +316,10 @@ def search(
         if time.monotonic() > ends:
             return
         here = part(progress, n / (len(free) + 1), (n + 1) / (len(free) + 1))
-        way = _best(state, step, group, plan, here) if plan is not None else _whole_step(state, step, group, here)
+        if plan is not None:
+            way = _best(state, step, group, plan, here)
+        else:
+            way = _whole_step(state, step, group, here, nearest)
         if way is not None and way.changes not in known:
             known.add(way.changes)
             yield way
@@ -471,23 +334,37 @@ def _computed(
         return
     trials = Trials(state, step, group, Budget(TRIES), progress, group[0].name, FARTHEST, ROUND)
     for each in (each for each in named if each.changes):
-        free = not any(locked(state.document.data, key) for key, _ in each.changes)
-        if free and (way := _way(trials, dict(each.changes))) is not None and _worth(trials, way):
-            done = Text("{passes}: {effect}", passes=way.effect, effect=each.effect)
-            yield replace(way, effect=done) if way.passes and each.effect else way
+        if any(locked(state.document.data, key) for key, _ in each.changes):
+            continue
+        way = _way(trials, dict(each.changes))
+        if way is None or way.disturbance > ABSURD or not _worth(trials, way):
+            continue
+        if way.passes and each.effect:
+            told = dict(passes=way.effect, effect=each.effect)
+            closed = way.quality == ALL_CORNERS
+            effect = Text("{passes}: {effect}", **told) if closed else Text("{effect}: {passes}", **told)
+            way = replace(way, effect=effect)
+        yield way
+
+
+WHOLE_STEP = Text("all of the step at once")
+QUICK = 20  # whole designs that the search for the nearest may solve over single numbers, while somebody waits
 
 
 def _whole_step(
-    state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None
+    state: RepairState,
+    step: str,
+    group: tuple[Check, ...],
+    progress: Progress | None,
+    nearest: NearestRemedy | None,
 ) -> RepairOption | None:
     """The nearest design in which all limits of the step hold."""
-    nearest = remedy(state.document, step, state.results, progress, tries=20)
+    nearest = nearest or remedy(state.document, step, state.results, progress, tries=QUICK)
     if not nearest.changes or (not nearest.mends and group):
         return None
     after = RepairState(nearest.document, nearest.results)
-    keys = [change.partition("=")[0] for change in nearest.changes]
-    changes = {key: value_at(nearest.document.data, key) for key in keys}
-    way = repair_option(state, after, changes, group, Text("all of the step at once"))
+    changes = nearest.made
+    way = repair_option(state, after, changes, group, WHOLE_STEP)
     return way if way.quality < NEAR else None
 
 
@@ -496,15 +373,17 @@ def _given(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOptio
     every: Changes = {}
     for key in dict.fromkeys(key for check in group for key in check.missing):
         try:
-            about = quantity_of(state.document.data, key)
-        except BadInput:
+            address(state.document.data, key, whole=True)
+        except BadInput:  # of something that has no field, as a material
             continue
-        kind = Text("give {input}", input=named(state.document, key))
-        values = _usual(state, key, about)
-        if not values:
-            yield RepairOption(kind, (key,), effect=Text("then it can be judged"), quality=NEAR)
+        kind = Text("give {input}", input=asked(state.document, key))
+        values: tuple[float | int | str, ...] = ()
+        with suppress(BadInput):  # of a table, which has no usual value
+            values = _usual(state, key, quantity_of(state.document.data, key))
         if values:
             every[key] = values[0]
+        else:
+            yield RepairOption(kind, (key,), effect=Text("then it can be judged"), quality=NEAR)
         yield from _as_given(state, group, [{key: value} for value in values], kind)
     if len(every) > 1:
         yield from _as_given(state, group, [every], Text("give all that is missing"))
@@ -570,4 +449,8 @@ def _locked(state: RepairState, plan: LeverPlan, group: tuple[Check, ...]) -> Re
     text = Text("{label} {value}", label=label, value=written(now)) if now is not None else label
     thicker = film and quantity_of(document.data, key).catalogue == "oils"
     name = change.more if thicker else change.other or change.less
-    return RepairOption(name, plan.keys, words=text, effect=Text("not looked at"), locked=plan.reason)
+    shut = locked(document.data, key)
+    effect = Text("not looked at") if shut else Text("held: {reason}", reason=plan.reason)
+    if not shut:  # in which direction it would have to go is not known
+        name = Small(quantity_of(document.data, key).label)
+    return RepairOption(name, plan.keys, words=text, effect=effect, locked=shut)

@@ -7,12 +7,12 @@ sizing search is taken."""
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import chain
 
 from ...bearings.choice import nearest_changes
 from ...bearings.inputs import BearingsInputs
 from ...bearings.plain.selection.search import nearest_row
+from ...bearings.plain.selection.variants import with_own_oil
 from ...bearings.plain.selection.writing import bearing_changes
 from ...countershaft.inputs import EccentricMass, ShaftInputs
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
@@ -55,7 +55,7 @@ def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: P
     for name in names:
         case = bearings_case(state.design, solve, state.results, name)
         if locked(state.document.data, dotted(Design.bearings, BearingsInputs.oil)):
-            case = replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
+            case = with_own_oil(case)
         settled = nearest_row(case, progress)
         written = bearing_changes(settled.row, case) if settled.row is not None else {}
         if not written:
@@ -243,7 +243,7 @@ def _single(mass: EccentricMass, wanted: complex) -> Iterator[Changes]:
     now, turned = math.degrees(mass.angle), _near(math.degrees(cmath.phase(wanted)), math.degrees(mass.angle))
     angle = {_of_mass(mass, EccentricMass.angle): round(turned, 1)} if abs(turned - now) > 0.05 else {}
     weight = {_of_mass(mass, EccentricMass.mass): round(abs(wanted) / mass.radius, 3)} if mass.radius else {}
-    radius = {_of_mass(mass, EccentricMass.radius): round(abs(wanted) / mass.mass * 1e3, 3)} if mass.mass else {}
+    radius = {_of_mass(mass, EccentricMass.radius): round(abs(wanted) / mass.mass * 1e3, 2)} if mass.mass else {}
     yield weight
     yield angle
     yield weight | angle

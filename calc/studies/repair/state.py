@@ -5,9 +5,13 @@ place."""
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
+from ...bearings.plain.selection.variants import tied
+from ...countershaft.inputs import ShaftInputs
+from ...countershaft.rows import BearingRow
 from ...design.addresses import value_at
 from ...design.locks import locked
 from ...design.model import IN_SENTENCES, Design
+from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document, design
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, InputError, NoSolution
@@ -15,7 +19,7 @@ from ...sheet.progress import Progress
 from ...sheet.remedy import Changes
 from ...sheet.search import Trial, first_good
 from ...sheet.step import Outcome
-from ...sheet.text import Text
+from ...sheet.text import EMPTY, Name, Text
 from ...sheet.value import recorded
 from ...sheet.verdict import severity
 from ...solve import Results, solve
@@ -93,17 +97,35 @@ def state_of(document: Document, results: Results | None = None) -> RepairState:
     )
 
 
+def held(state: RepairState, key: str) -> Text:
+    """Why a search leaves an input as it is: it is locked, or a journal whose seat something is threaded through, which
+    the search for bearings holds too; empty where it may be moved."""
+    if reason := locked(state.document.data, key):
+        return Name(reason)
+    view = state.view(key)
+    for row in view.rows if view.bearings is not None else ():
+        if row.fed() and key == view.own_key(ShaftInputs.bearings, row.name, BearingRow.diameter):
+            return tied(bearings_case(state.design, solve, state.results, view.own_name), row)
+    return EMPTY
+
+
 def broken(before: RepairState, after: RepairState, steps: Iterable[str] = ORDER) -> list[str]:
     """Limits of these steps that are judged worse now: that fail and did not before, or are not verified any more; and
     steps that lost their solution.  Of a step without one nothing counts."""
+    return worse_limits(before.results, after.results, steps)
+
+
+def worse_limits(before: Results, after: Results, steps: Iterable[str] = ORDER) -> list[str]:
+    """The same of two solved designs."""
     worse = []
     for step in steps:
-        if before.outcome(step).state != "solved":
+        was, now = before.outcomes[step], after.outcomes[step]
+        if was.state != "solved":
             continue
-        if after.outcome(step).state != "solved":
+        if now.state != "solved":
             worse.append(step)
-        were = {c.id: _lost(c) for c in before.outcome(step).checks}
-        worse += [c.id for c in after.outcome(step).checks if _lost(c) > were.get(c.id, UNVERIFIED)]
+        were = {c.id: _lost(c) for c in was.checks}
+        worse += [c.id for c in now.checks if _lost(c) > were.get(c.id, UNVERIFIED)]
     return worse
 
 

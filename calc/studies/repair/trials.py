@@ -9,7 +9,6 @@ from itertools import islice
 from math import inf, isnan, nan
 
 from ...design.addresses import value_at
-from ...design.locks import locked
 from ...design.model import IN_SENTENCES
 from ...sheet.check import THIN_MARGIN, Check
 from ...sheet.errors import BadInput, NoSolution
@@ -19,7 +18,7 @@ from ...sheet.search import Budget, crossing
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from .levers import Lever, free_keys, levers, named_keys, together
-from .state import ORDER, RepairState, broken, repaired
+from .state import ORDER, RepairState, broken, held, repaired
 
 PROBE = 0.02  # relative change by which a number is moved to see what it does
 STEP = 0.01  # least relative change from one that is tried to the next
@@ -92,8 +91,8 @@ class Trials:
 
     # --- one lever
     def enough(self, lever: Lever, wanted: tuple[Check, ...]) -> tuple[Iterator[float], float]:
-        """Numbers of a lever by which what is wanted holds, the roundest of the smallest changes first; where there is
-        none, the relative change that comes nearest, which else is 0."""
+        """Numbers of a lever by which what is wanted holds, as a workshop writes them, the roundest of the smallest
+        changes first; where there is none, the relative change that comes nearest, which else is 0."""
         start, nearest = self.score(self.state, wanted), 0.0
         numbers: list[float] = []
         for sign, farthest in zip((1.0, -1.0), self.farthest):
@@ -104,16 +103,16 @@ class Trials:
             if isinstance(ends, tuple):
                 low, high = ends
                 beyond = high + max(high - low, self.near)
-                numbers = [
+                numbers = lever.offered(
                     lever.rounded(sign * low, sign * high),
                     lever.rounded(sign * high, sign * beyond),
                     lever.number(sign * high),
-                ]
+                )
                 break
             if nearest := sign * ends:
-                numbers = [lever.number(nearest)]  # it may hold there, by a narrow margin
+                numbers = lever.offered(lever.number(nearest))  # it may hold there, by a narrow margin
                 break
-        holds = (number for number in numbers if self.holds(self.tried(lever.at(number)), wanted))
+        holds = (number for number in numbers if self.holds(self.tried(lever.offered_at(number)), wanted))
         return holds, nearest
 
     def holds(self, after: RepairState | None, wanted: tuple[Check, ...]) -> bool:
@@ -132,7 +131,7 @@ class Trials:
         """The smallest relative change of a lever by which all checks hold and nothing that held fails, and the design
         with it."""
         for number in self.enough(lever, self.checks)[0]:
-            after = self.tried(lever.at(number), whole=True)
+            after = self.tried(lever.offered_at(number), whole=True)
             if after is not None and repaired(self.state, after, self.step, self.ids) and not broken(self.state, after):
                 return abs(number - lever.now) / lever.scale, after
         return None
@@ -177,7 +176,7 @@ def _given(state: RepairState, key: str) -> bool:
 
 
 def _one_by_one(state: RepairState, keys: Iterable[str]) -> Iterator[Lever]:
-    for one in together(key for key in keys if not locked(state.document.data, key)):
+    for one in together(key for key in keys if not held(state, key)):
         yield from islice(levers(state, one), 1)
 
 

@@ -19,7 +19,7 @@ from ....countershaft.inputs import ShaftInputs
 from ....countershaft.result import CountershaftResult
 from ....countershaft.rows import BearingRow, called
 from ....countershaft.sizing.stretches import gap_of
-from ....library.journal_rules import specific_load
+from ....library.journal_rules import named_at, specific_load
 from ....library.lubricant import Lubricant
 from ....library.oils import high_shear
 from ....sheet.arrays import Array, IndexArray, Num
@@ -161,7 +161,7 @@ def rules(
     made = (
         on_bearing(FILM_EDGE_SHEARED, place, nought, film),
         *((on_bearing(FILM_EDGE_SPLIT, place, nought, film),) if split else ()),
-        on_bearing(FILM_OVERSPEED, place, nought, film),
+        FILM_OVERSPEED(nought, film, at=place, name=named_at(Text("Film at the edge at overspeed"), place)),
         on_bearing(LENGTH_RATIO, place, nought, ratio, source=OWN),
     )
     return {check.rule: BearingRule(check) for check in (*known.values(), *made)}

@@ -402,7 +402,7 @@ def summary(choices: BearingsFound) -> tuple[Text, ...]:
         n = choices.no(choices.own)
         words.append(Text("With the design's own oil, supply and surfaces: row {n}.", n=n))
     elif not choices.own:
-        dropped = SEMICOLON.join(choices.dropped) or Text("smoother surfaces are needed")
+        dropped = SEMICOLON.join(choices.dropped) or Text("where the bearings stand, smoother surfaces are needed")
         why = next((why for v, why in choices.refused if v is own_variant), dropped)
         words.append(Text("No row has the design's own oil, supply and surfaces: {why}.", why=why))
     return tuple(filter(None, [*words, _makers(choices)]))

@@ -76,6 +76,11 @@ class SelectionCase:
         return results.views[self.name]
 
 
+def with_own_oil(case: SelectionCase) -> SelectionCase:
+    """The same with no other oil to choose: that of the bearings is held."""
+    return replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
+
+
 class Solve(Protocol):
     """The design with other bearings.  `last`: no step after the bearings is solved."""
 

@@ -172,7 +172,7 @@ def test_what_there_is_to_say(found, monkeypatch):
         "distance free",
     ]
     held = found.now.states.distances["crank_central"][0] * 1e3
-    assert f"Held: crank–central at {held:.4f} mm" in tables.summary(found)[1]
+    assert f"Held: crank–central at {held:.3f} mm" in tables.summary(found)[1]
     assert f"{found.exact[0]:.6f}" in tables.summary(found)[3] and f"{found.exact[1]:.5f}" in tables.summary(found)[3]
     assert any("All have tips for case-hardened teeth" in words for words in tables.notes(found))
     monkeypatch.setattr(tables, "HARDENED", replace(HARDENED, limit=0.7))
@@ -185,6 +185,6 @@ def test_what_there_is_to_say(found, monkeypatch):
 
 def test_a_row_is_told_by_its_shifts_its_held_distance_and_its_cut(found):
     held = next(row for row in found.optima if row.freedom.key == "held")
-    assert tables.changed(held) == f"x central = {held.free['central']:.4f}, crank–central 65.8080 mm".replace("-", "−")
+    assert tables.changed(held) == f"x central = {held.free['central']:.4f}, crank–central 65.808 mm".replace("-", "−")
     cut = found.cut_best[0]
     assert tables.changed(cut).endswith(f"tip cut {cut.name} {cut.cuts[cut.name] * 1e3:g} mm")

@@ -11,14 +11,25 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from calc.countershaft.inputs import EccentricMass
-from calc.design.addresses import quantity_of
+from calc.design.addresses import quantity_of, value_at
 from calc.design.toml_file import Document, design, read
 from calc.gears.rating.classes import class_names, strength_class
 from calc.sheet.check import THIN_MARGIN, Check
 from calc.sheet.search import Budget
 from calc.sheet.text import EMPTY
 from calc.solve import Results, solve
-from calc.studies.repair.levers import Lever, called, disturbance, kind_of, levers, named_keys, together
+from calc.studies.repair.levers import (
+    Lever,
+    called,
+    disturbance,
+    grid,
+    kind_of,
+    levers,
+    named_keys,
+    on_grid,
+    settled,
+    together,
+)
 from calc.studies.repair.nearest import nearest
 from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
 from calc.studies.repair.state import broken, closer_limits, is_mended, state_of
@@ -212,6 +223,36 @@ def test_numbers_of_one_kind_in_one_place_move_together(gamma: Document) -> None
     assert allowance.write(allowance.now - 3) == {"gears.wheels.central.span_allowance_um": [-5, -23]}
 
 
+GAMMA = read(DESIGNS / "r753ie4_gamma.toml")
+OFFERED = {  # a field, with the least share of its unit that is written there
+    "shafts.shaft.bearings.front.length_mm": 0.5,
+    "shafts.shaft.bearings.front.journal_roughness_um": 0.1,
+    "shafts.shaft.masses.front.mass_kg": 0.001,
+    "gears.meshes.1.centre_distance_mm": 0.1,
+    "shafts.shaft.core_radius_mm": 0.5,
+}
+
+
+@given(key=st.sampled_from(sorted(OFFERED)), share=st.floats(-0.9, 3).filter(lambda share: abs(share) > 1e-6))
+def test_a_number_is_offered_as_a_workshop_writes_it(key, share):
+    """On the grid of its field, and never nearer to the present one than what was found to hold."""
+    about, now = quantity_of(GAMMA.data, key), float(value_at(GAMMA.data, key))
+    exact = now * (1 + share)
+    offered = on_grid(about, now, exact)
+    assert grid(about, now) == pytest.approx(OFFERED[key])
+    assert round(offered / OFFERED[key]) * OFFERED[key] == pytest.approx(offered)
+    assert abs(offered - now) >= abs(exact - now) * (1 - 1e-9) and abs(offered - exact) <= OFFERED[key]
+    moved = settled(GAMMA, {key: exact})
+    assert moved == {key: offered}
+
+
+def test_numbers_that_are_whole_stay_so_and_words_are_left_alone(gamma: Document) -> None:
+    span, oil = "gears.wheels.central.span_allowance_um", "bearings.oil"
+    assert str(settled(gamma, {span: [-5, -23], oil: "5W-30"})) == str({span: [-5, -23], oil: "5W-30"})
+    assert settled(gamma, {"shafts.shaft.outer_radius_mm": 40.6123}) == {"shafts.shaft.outer_radius_mm": 41.0}
+    assert settled(gamma, {"shafts.shaft.outer_radius_mm": None}) == {"shafts.shaft.outer_radius_mm": None}
+
+
 @pytest.mark.parametrize("own", [None, [-60.0, 80.0]])
 def test_the_axes_of_a_mirrored_pair_move_as_one(own: list[float] | None) -> None:
     pair = read(DESIGNS / "r754ie4_balance_shafts.toml").with_value("shafts.left.axis_mm", [-60.0, -80.0])
@@ -339,7 +380,7 @@ def test_a_limit_is_broken_where_it_is_judged_worse_than_before() -> None:
 
     def state(*checks: Check) -> Any:
         outcome = SimpleNamespace(state="solved", checks=checks)
-        return SimpleNamespace(outcome=lambda step: outcome)
+        return SimpleNamespace(results=SimpleNamespace(outcomes={"bearings": outcome}))
 
     order = list(kinds)
     for was in order:

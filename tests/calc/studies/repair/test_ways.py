@@ -3,11 +3,14 @@
 
 import pytest
 
+from calc.design.addresses import quantity_of, value_at
 from calc.design.toml_file import Document, design, read
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
-from calc.studies.repair.options import NEAR, RepairOption, ranked, search
+from calc.studies.repair.levers import grid
+from calc.studies.repair.option import LOCKED, NEAR, RepairOption, ranked
+from calc.studies.repair.options import search
 from calc.studies.repair.state import broken, state_of
 from tests.calc.studies.repair.test_remedy import damaged, with_changes
 from tests.conftest import DESIGNS, ROOT
@@ -15,6 +18,18 @@ from tests.conftest import DESIGNS, ROOT
 
 def finding(results: Results, id: str) -> Check:
     return next(c for c in results.checks() if c.id == id)
+
+
+def as_written(document: Document, made: dict[str, object]) -> bool:
+    """Whether a workshop would write the numbers so: on the grid of their fields, or on a tenth of it; what only
+    follows, where a journal is that grows outwards, stands on half of that."""
+    for key, new in made.items():
+        about, now = quantity_of(document.data, key), value_at(document.data, key)
+        if isinstance(new, float) and isinstance(now, float) and (step := grid(about, now)) is not None:
+            finest = step / 20
+            if abs(round(new / finest) * finest - new) > 1e-9 * abs(new):
+                return False
+    return True
 
 
 def ways_of(document: Document, id: str) -> tuple[Check, tuple[RepairOption, ...]]:
@@ -43,8 +58,10 @@ def test_remedies_of_several_kinds_do_what_they_say(gamma: Document, id: str, ki
     assert found[0].passes and not found[0].breaks
     for way in found:
         assert "_" not in way.words and "_" not in way.rest and way.words  # no key stands there
-        if way.locked:
+        if way.quality == LOCKED:
             continue
+        assert as_written(gamma, dict(way.made)), way.words
+        assert way.passes == way.result.startswith(("passes", "mends this")), way.result
         after = state_of(with_changes(gamma, way.changes))
         there = finding(after.results, id)
         assert (there.holds if check.verdict == "fail" else not there.open) == way.passes
@@ -78,7 +95,7 @@ def test_masses_that_leave_a_couple_are_set_each_in_its_way() -> None:
 
 def test_a_kind_that_does_not_reach_says_how_far_it_comes_and_breaks_nothing(gamma: Document) -> None:
     _, found = ways_of(gamma, "bearings.front.film_double_load")
-    near = [way for way in found if way.quality == NEAR and not way.locked]
+    near = [way for way in found if way.quality == NEAR]
     assert near and all(way.effect.startswith("comes to ") and not way.breaks for way in near)
 
 
@@ -88,7 +105,9 @@ def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(
     told: list[float] = []
     check = finding(gamma_results, "bearings.front.film_edge")
     first = next(
-        way for way in search(gamma, check, gamma_results, lambda share, what: told.append(share)) if not way.locked
+        way
+        for way in search(gamma, check, gamma_results, lambda share, what: told.append(share))
+        if way.quality != LOCKED
     )
     assert first.passes and max(told) < 0.3 and told == sorted(told)
 
@@ -113,6 +132,20 @@ def test_what_can_not_be_verified_asks_for_what_is_missing_first(name: str) -> N
         assert first and all(set(way.keys) <= group and way.kind.startswith("give ") for way in first)
         if check.holds:
             assert all(set(way.keys) <= group for way in ways)
+        assert not any("_" in way.kind + way.result for way in ways), "inputs by their labels"
+
+
+def test_a_table_that_is_missing_is_named_and_what_fails_as_taken_comes_to_that(
+    gamma: Document, gamma_results: Results
+) -> None:
+    (way,) = search(gamma, finding(gamma_results, "imbalance.unbalances.couple_left"), gamma_results)
+    assert (way.kind, way.keys, way.changes) == ("give unbalances", ("imbalance.unbalances",), ())
+    check = finding(gamma_results, "gears.crank_central.backlash")
+    for way in search(gamma, check, gamma_results, seconds=0.0):
+        if len(way.made) == 1:
+            there = finding(state_of(with_changes(gamma, way.changes)).results, check.id)
+            assert ("as taken" in way.effect) == there.holds and ("comes to" in way.effect) == (not there.holds)
+        assert check.name not in way.side.words, "what it is made for is no side effect"
 
 
 @pytest.mark.parametrize(
