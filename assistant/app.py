@@ -133,7 +133,7 @@ class ContralberoApp(BaseApp):
 
     async def speak(self, code: str) -> None:
         """Go on in another language."""
-        self.say = language(code)
+        self.say = language(code, self.ascii)
         self.memory.set_setting("language", code)
         self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
         for screen in self.screen_stack:

@@ -19,6 +19,7 @@ from textual.notifications import SeverityLevel
 from textual.screen import Screen
 
 from calc.locale import LANGUAGES, language
+from calc.sheet.in_ascii import in_ascii
 from calc.sheet.text import EMPTY, Text
 from calc.sheet.visible import visible
 
@@ -66,9 +67,39 @@ def _shortened(text: str, owed: int) -> tuple[str, int]:
     return BLANKS.sub(fewer, text), owed
 
 
+class Ascii(LineFilter):
+    """What is left of other letters, where texts are in ASCII already: names of the user in fields, lines and bars.
+    Each takes the cells that it took."""
+
+    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
+        if all(segment.text.isascii() for segment in segments):
+            return segments
+        return [Segment(_cells(segment.text), segment.style, segment.control) for segment in segments]
+
+
+LINES = str.maketrans(
+    {
+        **dict.fromkeys("─━╍┈╌▁▂▃", "-"),
+        **dict.fromkeys("│┃▏▎▍▕", "|"),
+        **dict.fromkeys("┌┐└┘├┤┬┴┼┏┓┗┛┣┫┳┻╋", "+"),
+        **dict.fromkeys("▄▅▆▇█▒▀▐▌▊", "#"),
+        "░": ".",
+        "…": "~",
+    }
+)
+
+
+def _cells(text: str) -> str:
+    """As many cells in ASCII."""
+    if text.isascii():
+        return text
+    letters = (in_ascii(letter)[:1].ljust(cell_len(letter)) for letter in text.translate(LINES))
+    return "".join(letters)
+
+
 # --- the app
 
-LEGIBLE = Legible()
+LEGIBLE, PLAIN = Legible(), Ascii()
 
 
 class BaseApp(App[int]):
@@ -86,7 +117,7 @@ class BaseApp(App[int]):
     ) -> None:
         self.ascii = ascii
         settings = settings or Settings()
-        self.say = language(settings.language if settings.language in LANGUAGES else "en")
+        self.say = language(settings.language if settings.language in LANGUAGES else "en", ascii)
         self.signs = Signs(ascii, say=self.say)
         self.key_map = {new: keys for id, keys in (key_map or {}).items() if (new := OLD_IDS.get(id, id)) in BY_ID}
         super().__init__()
@@ -98,7 +129,7 @@ class BaseApp(App[int]):
         self.guiding = settings.guide  # each form begins with what is to be decided in its step
 
     def get_line_filters(self) -> Sequence[LineFilter]:
-        return [*super().get_line_filters(), LEGIBLE]
+        return [*super().get_line_filters(), LEGIBLE, *([PLAIN] if self.ascii else [])]
 
     def _fatal_error(self) -> None:
         """A fault of the program ends the session without textual's trace over the screen: `app.run` says it in one

@@ -166,7 +166,7 @@ class FormParts:
         if not self.there:
             return []
         rows = routed(self._step, self._session.data, asked, opened)
-        return rows if self._say.code == "en" else [_said(row, self._say) for row in rows]
+        return rows if self._say.original else [_said(row, self._say) for row in rows]
 
     def fold(self, place: Place) -> int | None:
         """The fold that a place lies in."""
