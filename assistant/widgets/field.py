@@ -289,7 +289,7 @@ class Field(Widget):
             box = WORD_NARROW
         note, state = self.note()
         room = max(0, width - label - box - 4)
-        unit = self.about.unit
+        unit = self.app.say(self.about.unit)
         gap = " " if unit and note else ""
         if len(unit) + len(gap) + len(note) > room:
             note = "" if state == "auto" else fit(note, max(0, room - len(unit) - len(gap)))
@@ -470,7 +470,7 @@ class Cells(Widget):
         labels, errors = self._rows(width, self.app.say)
         here = any(field.box.has_focus for field in self.fields if field.is_mounted)
         label = pad(" " + labels[0], label_width(width))
-        unit = fit(self.row.about.unit, max(0, width - len(label) - APART * len(self.fields) - 1))
+        unit = fit(self.app.say(self.row.about.unit), max(0, width - len(label) - APART * len(self.fields) - 1))
         first = Content.assemble((label, "bold" if here else ""), " " * APART * len(self.fields), " ", (unit, "dim"))
         lines = [first, *(Content(" " + text) for text in labels[1:])]
         lines += [Content.styled("  " + text, self.app.signs.style("invalid")) for text in errors]

@@ -100,7 +100,7 @@ class Taken(ItemList):
                 _, *part, _ = id.split(".")  # front or rear
                 part = part[1:] if several and part[:1] == [original] else part
                 label = say(COMMA.join((known.label, *part)))
-                text, unit = say.number(short(known.shown)), known.unit
+                text, unit = say.number(short(known.shown)), say(known.unit)
             else:
                 try:
                     about = quantity_of(self.session.data, id)
@@ -109,7 +109,7 @@ class Taken(ItemList):
                 content = value_at(self.session.data, id) if asks(self.session.data, owner) else None
                 if content is None:
                     continue
-                label, text, unit = say(about.label), numbers.written(content, about), about.unit
+                label, text, unit = say(about.label), numbers.written(content, about), say(about.unit)
             labels = wrap(label, label_width - 1)
             origin = f"{self.app.signs.mark('from')} {NUMBERS[owner]}"
             value = f"{text} {unit}".rstrip()
