@@ -31,7 +31,6 @@ from .session.recovery import Memory, Settings
 from .session.session import Session
 from .widgets.entry import AT_ONCE, EDITS, Choice, Entry
 from .widgets.item_list import ItemList
-from .widgets.signs import Signs
 
 
 @runtime_checkable
@@ -78,7 +77,7 @@ class ContralberoApp(BaseApp):
     def on_mount(self) -> None:
         if self.key_map:
             self.set_keymap(self.key_map)
-        self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
+        self.fit_signs()
         self.theme_changed_signal.subscribe(self, self._theme_changed)
         self.set_interval(LOOK, self.look)
         if self._session is not None:
@@ -102,7 +101,7 @@ class ContralberoApp(BaseApp):
             self.push_screen(Start(self.memory, engines=engines))
 
     def _theme_changed(self, theme: Any) -> None:
-        self.signs = Signs(self.ascii, theme.dark, not self.no_color, self.say)
+        self.fit_signs()
         if isinstance(self.screen, Workbench) and self.screen.stands:
             self.screen.show_step()
             for shown in self.screen.query(ItemList):  # their rows have colours of their own
@@ -135,7 +134,7 @@ class ContralberoApp(BaseApp):
         """Go on in another language."""
         self.say = language(code, self.ascii)
         self.memory.set_setting("language", code)
-        self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
+        self.fit_signs()
         for screen in self.screen_stack:
             if isinstance(screen, Speaking):
                 await screen.speak()

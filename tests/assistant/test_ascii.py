@@ -3,7 +3,7 @@
 
 import pytest
 
-from assistant import base_app
+from assistant import line_filters
 from assistant.session.session import Session
 from calc.locale import language
 from calc.sheet.in_ascii import in_ascii
@@ -76,13 +76,13 @@ async def test_no_letter_beyond_ascii_on_any_screen(
     """Steps with calculation and curves, help, palette, dialogs, Ready; and hardly anything has to be made ASCII when
     it stands on the screen already, where a unit would lose its prefix and a limit its equals sign."""
     left: dict[str, str] = {}
-    cells = base_app._cells
+    cells = line_filters._cells
 
     def noted(text: str) -> str:
         left.update({letter: text for letter in set(text) - BARE if not letter.isascii()})
         return cells(text)
 
-    monkeypatch.setattr(base_app, "_cells", noted)
+    monkeypatch.setattr(line_filters, "_cells", noted)
     async with screen(size, session if whole else light, ascii=True) as pilot:
 
         async def look(at: str) -> None:
