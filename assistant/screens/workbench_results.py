@@ -428,7 +428,12 @@ class WorkbenchResults(WorkbenchPanes):
         """The checks and verdicts: first, and at once."""
         results = self.session.results
         outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
-        self.checks.show(outcome)
+        if results is None:
+            self.checks.show(None)
+        else:
+            from calc.studies.headlines import lead  # with numpy
+
+            self.checks.show(outcome, lead(results, self.step.key, rests=False) or EMPTY)
         if outcome is not None:
             findings = open_findings(outcome.checks)
             self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if findings else "")

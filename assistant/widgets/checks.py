@@ -15,7 +15,7 @@ from calc.design.key_results import judged, outside
 from calc.sheet.check import Check
 from calc.sheet.number import short
 from calc.sheet.step import Outcome
-from calc.sheet.text import COMMA, Amount, Name, Text, plural
+from calc.sheet.text import COMMA, EMPTY, Amount, Name, Text, plural
 from calc.sheet.verdict import named, open_findings, severity
 
 from ..session.places import label_of
@@ -85,11 +85,13 @@ class Checks(ItemList):
         super().__init__(id="checks-list")
         self.outcome: Outcome[object] | None = None
         self.unfolded: set[str] = set()  # causes, and ADVICE, METHOD, HOLD
+        self.lead = EMPTY  # the sentence with which the step begins
         self.slopes: dict[str, Text] = {}  # id of a check → what moves it most
         self._clicked_at = ""
 
-    def show(self, outcome: Outcome[object] | None) -> None:
+    def show(self, outcome: Outcome[object] | None, lead: Text = EMPTY) -> None:
         if outcome is not self.outcome:
+            self.lead = lead
             if outcome is None or self.outcome is None or outcome.key != self.outcome.key:
                 self.unfolded = set()
             self.outcome, self.slopes = outcome, {}
@@ -226,6 +228,9 @@ class Checks(ItemList):
         signs = self.app.signs
         verdict = wrap(f"{signs.mark(outcome.verdict)} {say(outcome.words())}", max(1, width), SIGN)
         items = [*reasons, Item("", [Content.styled(row, signs.style(outcome.colour)) for row in verdict])]
+        if self.lead:
+            lead = wrap(say(self.lead), max(1, width - SIGN))
+            items.append(Item("", [Content(" " * SIGN + row) for row in (*lead, "")]))
         items += [Item("", [self._head(columns)])] if columns.numbers else []
         for row in rows:
             if row.check is None:

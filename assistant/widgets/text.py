@@ -12,7 +12,7 @@ from textual.content import Content
 
 from .signs import Signs
 
-PIECES = re.compile(r".+?(?:(?<=[ ])|(?<=[·/,;)+])(?=[^\s·/,;)+^])|\Z)", re.DOTALL)
+PIECES = re.compile(r".+?(?:(?<=[ ])|(?<=[·/,;)+–])(?=[^\s·/,;)+^])|\Z)", re.DOTALL)
 LOOSE = 0.4  # the share of a row that may stay empty for the sake of a better break
 
 

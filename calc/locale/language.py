@@ -43,6 +43,11 @@ class Language:
         """Whether a text is said as it stands in the code."""
         return self._catalogue is None
 
+    @property
+    def decimal(self) -> str:
+        """The decimal sign."""
+        return "." if self._catalogue is None else ","
+
     def __call__(self, text: str) -> str:
         """A Text in this language; any other string is a name and stays as it stands."""
         if self._catalogue is None or not isinstance(text, Text):

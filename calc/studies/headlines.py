@@ -211,14 +211,14 @@ GIVES: Mapping[str, Callable[[Results], Text | None]] = {
 }
 
 
-LEADS: Mapping[str, Callable[[Results], Text | None]] = {
-    "gears": lambda results: sentence(results.train) if results.train is not None else None,
+LEADS: Mapping[str, Callable[[Results, bool], Text | None]] = {
+    "gears": lambda results, rests: sentence(results.train, rests=rests) if results.train is not None else None,
 }
 
 
-def lead(results: Results, key: str) -> Text | None:
-    """The sentence with which a step begins where all of it is told; None: it has none."""
-    return LEADS[key](results) if key in LEADS else None
+def lead(results: Results, key: str, *, rests: bool = True) -> Text | None:
+    """The sentence with which a step begins, and (`rests`) what it rests on; None: it has none."""
+    return LEADS[key](results, rests) if key in LEADS else None
 
 
 # --- the teeth under their strikes

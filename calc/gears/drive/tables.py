@@ -153,9 +153,9 @@ def chain_table() -> Table:
 # --- in one sentence
 
 
-def sentence(train: TrainResult) -> Text | None:
+def sentence(train: TrainResult, *, rests: bool = True) -> Text | None:
     """`Rattle at idle, no load: B, strikes at 58 mm/s on both flanks (A up to 35, B up to 70); teeth then carry some
-    1.8 to 3.0 kN`; None where there is no drive."""
+    1.8 to 3.0 kN`, and (`rests`) on what default it rests; None where there is no drive."""
     drive = train.drive
     if drive is None or not drive.meshes:
         return None
@@ -181,7 +181,7 @@ def sentence(train: TrainResult) -> Text | None:
             B=B,
             force=kilonewtons(max(at.impact_force_low for at in idle), max(at.impact_force for at in idle)),
         )
-    if not drive.assumed:
+    if not drive.assumed or not rests:
         return words
     return Text(
         "{words} This rests on {taken}, a default that knows no load: give [engine.gas] and {flywheel}.",
