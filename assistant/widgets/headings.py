@@ -117,7 +117,7 @@ class ArrayHeading(Widget, can_focus=True):
         ]
         if not (items := self.items()) or not columns:
             return []
-        labels = [f"{self.app.say(known[key].label)} {self.app.say(known[key].unit)}".rstrip() for key in columns]
+        labels = [_headed(self.app.say(known[key].label), self.app.say(known[key].unit)) for key in columns]
         return [
             ("", *labels),
             *((name, *(self._written(item.get(key)) for key in columns)) for name, item in zip(self.names(), items)),
@@ -205,6 +205,11 @@ class ArrayHeading(Widget, can_focus=True):
 
     def on_blur(self, event: events.Blur) -> None:
         self.refresh()
+
+
+def _headed(label: str, unit: str) -> str:
+    """The head of a column: where it is too long, the unit stays."""
+    return f"{fit(label, max(4, LABEL - len(unit) - 1))} {unit}" if unit else label
 
 
 class ShaftsHeading(ArrayHeading):
