@@ -22,13 +22,13 @@ from calc.locale import Language
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput
 from calc.sheet.number import short
-from calc.sheet.step import Step
+from calc.sheet.step import OF_SHAFTS, Step
 from calc.sheet.text import COMMA, EMPTY, Name, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
 from ..session.guide import GUIDES, fold_at, taken_over
-from ..session.places import SHAFTS, Place, content_at
+from ..session.places import OF_SHAFT, SHAFTS, Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
 from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, sides
@@ -90,15 +90,16 @@ class Taken(ItemList):
         items = []
         values, say = self.session.values(), self.app.say
         label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
-        several, original = len(self.session.shafts) > 1, self.session.original
-        others = {name for name in self.session.shafts if name != original}
+        one, original = self.step in OF_SHAFT, self.session.original  # of a step of all shafts each says whose it is
+        others = {name for name in self.session.shafts if one and name != original}
+        leafs = len(self.session.shafts) > 1 and self.step in OF_SHAFTS
         for id in taken_over(self.step, self.session.data, values):
             if others.intersection(id.split(".")[1:2]):
                 continue
             owner = step_at(self.session.data, id)
             if (known := values.get(id)) is not None:
                 _, *part, _ = id.split(".")  # front or rear
-                part = part[1:] if several and part[:1] == [original] else part
+                part = part[1:] if leafs and part[:1] == [original] else part
                 label = say(COMMA.join((known.label, *part)))
                 text, unit = say.number(short(known.shown)), say(known.unit)
             else:

@@ -52,7 +52,7 @@ class Pane(Vertical):
         room = width - (self.views.cell_length + 2 if self.views.plain else 0)
         parts = self.right.split(" · ") if self.right else []
         named = max(8, room - (len(parts[0]) + 3 if parts else 0))
-        name, below = fit(self.name_of, named), []
+        name, below = fit(self.name_of, named), list[str]()
         if self.whole and cell_len(self.name_of) > named:
             rows = wrap(self.name_of, width if self.views.plain else named)
             name, below = ("", rows) if self.views.plain else (rows[0], rows[1:])

@@ -212,13 +212,13 @@ GIVES: Mapping[str, Callable[[Results], Text | None]] = {
 
 
 LEADS: Mapping[str, Callable[[Results, bool], Text | None]] = {
-    "gears": lambda results, rests: sentence(results.train, rests=rests) if results.train is not None else None,
+    "gears": lambda results, brief: sentence(results.train, brief=brief) if results.train is not None else None,
 }
 
 
-def lead(results: Results, key: str, *, rests: bool = True) -> Text | None:
-    """The sentence with which a step begins, and (`rests`) what it rests on; None: it has none."""
-    return LEADS[key](results, rests) if key in LEADS else None
+def lead(results: Results, key: str, *, brief: bool = False) -> Text | None:
+    """The sentence with which a step begins; None: it has none.  `brief`: without what it rests on."""
+    return LEADS[key](results, brief) if key in LEADS else None
 
 
 # --- the teeth under their strikes
