@@ -222,15 +222,14 @@ class Checks(ItemList):
         columns = self._columns([row for row in rows if row.check is not None], width)
         keys = [row.key for row in rows if row.key]
         chosen = self.key if self.key in keys else keys[0] if keys else ""
-        reasons = (
-            [Item("", [Content(row) for row in wrap(say(outcome.reason), max(1, width))])] if outcome.reason else []
-        )
+        reasons = [
+            Item("", [Content(row) for row in wrap(say(text), max(1, width))])
+            for text in (outcome.reason, self.lead)
+            if text
+        ]
         signs = self.app.signs
         verdict = wrap(f"{signs.mark(outcome.verdict)} {say(outcome.words())}", max(1, width), SIGN)
         items = [*reasons, Item("", [Content.styled(row, signs.style(outcome.colour)) for row in verdict])]
-        if self.lead:
-            lead = wrap(say(self.lead), max(1, width - SIGN))
-            items.append(Item("", [Content(" " * SIGN + row) for row in (*lead, "")]))
         items += [Item("", [self._head(columns)])] if columns.numbers else []
         for row in rows:
             if row.check is None:
