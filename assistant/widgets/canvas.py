@@ -165,6 +165,8 @@ class Spread:
         reaches += [reach for mark in sketch.primitives for reach in _word_reach(mark, say)]
         self.x, self.y, self.left, self.right, self.up, self.down = np.array(reaches or [(0.0,) * 6]).T
         self.sketch, self._title = sketch, say(sketch.title)
+        # what stands apart on paper has its turn in any case
+        self.wrong = not sketch.caption and any(mark.state for mark in sketch.primitives)
         self.extent = max(float(np.ptp(self.x)), float(np.ptp(self.y))) or 1.0
 
     def title(self, columns: int) -> list[str]:
@@ -211,14 +213,16 @@ def _shrunk(at: Floats, before: Floats, behind: Floats, room: float, scale: floa
 
 def arranged(pictures: list[Spread], columns: int, rows: int) -> list[tuple[Spread, Frame]]:
     """The pictures side by side or one above the other, whichever draws them larger; as many as are still large
-    enough."""
+    enough: the first, and those that show what is wrong before others."""
     while len(pictures) > 1:
         ways = [
             way for way in (_shared(pictures, columns, rows, 0), _shared(pictures, columns, rows, 1)) if way is not None
         ]
         if ways:
             return max(ways, key=lambda way: way[0])[1]
-        pictures = pictures[:-1]
+        sound = (n for n in range(len(pictures) - 1, 0, -1) if not pictures[n].wrong)
+        left_out = next(sound, len(pictures) - 1)
+        pictures = pictures[:left_out] + pictures[left_out + 1 :]
     return [(pictures[0], Frame(0, 0, columns, rows))]
 
 

@@ -114,6 +114,17 @@ def test_pictures_beside_each_other_are_left_out_where_they_get_too_small():
     assert shown(24, 10) == ["first"]
 
 
+def test_of_the_pictures_that_have_room_those_that_show_what_is_wrong_come_before_others():
+    def picture(name, state=""):
+        return Sketch((Arc("OUTLINE", (0.0, 0.0), 0.05, key="engine.bore_mm", state=state),), title=Text("{n}", n=name))
+
+    front, middle, rear = picture("front"), picture("middle"), picture("rear", "fail")
+    for beside, shown in (((middle, rear), "rear"), ((rear, middle), "rear"), ((middle, picture("rear")), "middle")):
+        sketch = Sketch(front.primitives, title=front.title, beside=beside)
+        words = draw(sketch, 46, 10, Signs(), say).plain
+        assert [name for name in ("front", "middle", "rear") if name in words] == ["front", shown]
+
+
 def test_notes_are_of_the_pictures_that_are_shown_and_say_that_there_are_others() -> None:
     second = Sketch((CIRCLE,), (Text("second"),), title=Text("a title of many words"))
     both = Sketch((CIRCLE,), (Text("first"),), beside=(second,), views=2)
