@@ -12,8 +12,13 @@ from tests.assistant.conftest import Screen
 from tests.assistant.driving import at_rest, screen_rows, settled, until, work
 
 BARE = set("─━│┃┌┐└┘├┤┬┴┼▁▂▃▄▅▆▇█░▒…·\u00a0")  # lines, bars, an end cut off, a point or a space between
-WALK = ("f1", "f1", "escape", "ctrl+p", "m", "escape", "C", "escape")
+WALK = ("f1", "escape", "ctrl+p", "m", "escape")
 ELSEWHERE = (
+    "f1",
+    "f1",
+    "escape",
+    "C",
+    "escape",
     "x",
     "escape",
     "E",

@@ -89,16 +89,14 @@ def _seen(colour: RichColor | None, default: int, palette: str) -> tuple[int, in
     return red, green, blue
 
 
-@pytest.mark.parametrize("name, paper, ink", [("ansi-dark", 0, 7), ("ansi-light", 15, 0)])
-async def test_a_screen_of_the_terminals_colours_is_readable(light: Session, name: str, paper: int, ink: int) -> None:
+async def test_a_screen_of_the_terminals_colours_is_readable(light: Session) -> None:
     """The row under the cursor of the findings, the field that has the focus, the palette's chosen row: every word."""
     light.solve()
     app = ContralberoApp(light)
-    app.theme = name
     async with app.run_test(size=(120, 40)) as pilot:
         await solved(pilot)
 
-        def look(at: str) -> set[str]:
+        def look(at: str, paper: int, ink: int) -> set[str]:
             papers = set()
             for strip in app.screen._compositor.render_strips():
                 for text, style, control in strip:
@@ -112,14 +110,18 @@ async def test_a_screen_of_the_terminals_colours_is_readable(light: Session, nam
                         assert ratio(*pair) >= least, (at, terminal, text, style)
             return papers
 
-        await go_to(pilot, "engine.bore_mm")
-        assert "color(6)" in look("field")
-        work(pilot).checks.focus()
-        await pilot.pause()
-        assert "color(4)" in look("findings")
-        await pilot.press("ctrl+p", "m")
-        await pilot.pause()
-        look("palette")
+        for name, paper, ink in (("ansi-dark", 0, 7), ("ansi-light", 15, 0)):
+            app.theme = name
+            await go_to(pilot, "engine.bore_mm")
+            await pilot.pause()
+            assert "color(6)" in look("field", paper, ink)
+            work(pilot).checks.focus()
+            await pilot.pause()
+            assert "color(4)" in look("findings", paper, ink)
+            await pilot.press("ctrl+p", "m")
+            await pilot.pause()
+            look("palette", paper, ink)
+            await pilot.press("escape", "escape")
 
 
 @pytest.mark.parametrize("dark", [True, False])
