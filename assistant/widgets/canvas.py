@@ -434,9 +434,14 @@ class Canvas:
         Words have theirs behind them.
         """
         ends: dict[tuple[str, str], Point] = {}
-        worded = {(mark.state, mark.key) for mark in sketch.primitives if isinstance(mark, Words)}
+        worded = {
+            (mark.state, key)
+            for mark in sketch.primitives
+            if isinstance(mark, Words)
+            for key in mark.key.split() or [""]
+        }
         for mark in sketch.primitives:
-            if mark.state and (mark.state, mark.key) not in worded:
+            if mark.state and all((mark.state, key) not in worded for key in mark.key.split() or [""]):
                 corner = max(reach(mark), key=sum)
                 known = ends.get((mark.state, mark.key))
                 ends[mark.state, mark.key] = corner if known is None else max(known, corner, key=sum)

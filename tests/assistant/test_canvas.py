@@ -51,6 +51,16 @@ def test_what_the_edited_field_shows_is_lit_and_a_failing_part_has_its_sign():
     assert styles(plain, "✗") == {signs.style("fail")}
 
 
+def test_a_part_has_one_sign_behind_its_words():
+    fit, ring = "bearings.front.seat_fit", "bearings.front.seat_fit bearings.front.carrier_mm"
+    marks = (
+        Polyline("OUTLINE", ((0.0, 0.0), (0.03, 0.0)), key=ring, state="fail"),
+        Words("TEXT", (0.04, 0.0), "N7", key=fit, state="fail"),
+    )
+    assert draw(Sketch(marks), 40, 12, Signs(), say).plain.count("✗") == 1
+    assert draw(Sketch((marks[0],)), 40, 12, Signs(), say).plain.count("✗") == 1
+
+
 def test_a_table_is_lit_by_each_of_its_fields():
     sketch = Sketch((Words("TEXT", (0.0, 0.0), "A", key="countershaft.masses.A"),))
     signs = Signs()
