@@ -106,7 +106,7 @@ class Stage(BaseApp):
 
 def axes(lines: list[str]) -> list[tuple[int, int, int]]:
     """The row of the upper and of the lower axis, and where each begins and ends; a mark may lie on it."""
-    found = [(n, re.search("[┏┗┻]━.*━{3}.*━[┓┛┻]", line)) for n, line in enumerate(lines)]
+    found = [(n, re.search("[┏┗┻].*━{3}.*[┓┛┻]", line)) for n, line in enumerate(lines)]
     return [(n, *axis.span()) for n, axis in found if axis is not None]
 
 
