@@ -25,7 +25,7 @@ from calc.locale import language
 from calc.locale.language import said
 from calc.sheet.step import Curve, Table
 from calc.solve import Results, solve
-from tests.assistant.driving import screen_rows, until
+from tests.assistant.driving import at_rest, screen_rows
 from tests.conftest import DESIGNS, FEW
 
 SAY, SIGNS = language("en"), Signs()
@@ -123,8 +123,7 @@ async def framed(
             if not isinstance(curve, Curve):
                 continue
             await pilot.pause()
-            await until(pilot, lambda: len(axes(screen_rows(pilot))) == 2)
-            await pilot.pause()
+            await at_rest(pilot)  # the canvas follows the frame
             lines = screen_rows(pilot)
             assert {cell_len(line) for line in lines} == {size[0]}
             heads = [re.sub(HINTS, "", row) for row in lines[: pane.title.size.height]]
