@@ -33,7 +33,6 @@ from .session.recovery import Memory, Settings
 from .session.session import Session
 from .widgets.entry import AT_ONCE, EDITS, Choice
 from .widgets.item_list import ItemList
-from .widgets.signs import Signs
 
 
 @runtime_checkable
@@ -84,7 +83,7 @@ class ContralberoApp(BaseApp):
         # what goes before the field's own keys must not take its letters
         first = {anywhere(id): ",".join(k for k in self.keys_of(id) if not is_typed(k)) for id in ANYWHERE}
         self.set_keymap({**self.key_map, **first})
-        self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
+        self.fit_signs()
         self.theme_changed_signal.subscribe(self, self._theme_changed)
         self.set_interval(LOOK, self.look)
         if self._session is not None:
@@ -108,7 +107,7 @@ class ContralberoApp(BaseApp):
             self.push_screen(Start(self.memory, engines=engines))
 
     def _theme_changed(self, theme: Any) -> None:
-        self.signs = Signs(self.ascii, theme.dark, not self.no_color, self.say)
+        self.fit_signs()
         if isinstance(self.screen, Workbench) and self.screen.stands:
             self.screen.show_step()
             for shown in self.screen.query(ItemList):  # their rows have colours of their own
@@ -139,11 +138,11 @@ class ContralberoApp(BaseApp):
 
     async def speak(self, code: str) -> None:
         """Go on in another language."""
-        self.say = language(code)
+        self.say = language(code, self.ascii)
         if self._session is not None:
             self._session.decimal = self.say.decimal
         self.memory.set_setting("language", code)
-        self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
+        self.fit_signs()
         for screen in self.screen_stack:
             if isinstance(screen, Speaking):
                 await screen.speak()

@@ -4,16 +4,12 @@
 `app.ContralberoApp` adds the screens.  Widgets and dialogs annotate `app: BaseApp` and so need not import the screens
 that hold them.  Every console of it writes out the characters that a terminal would obey."""
 
-import re
 import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from rich.cells import cell_len
-from rich.segment import Segment
 from textual.app import App
-from textual.color import Color
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 from textual.screen import Screen
@@ -21,55 +17,16 @@ from textual.timer import Timer
 
 from calc.locale import LANGUAGES, language
 from calc.sheet.text import EMPTY, Text
-from calc.sheet.visible import visible
 
 from .actions import BY_ID, OLD_IDS, key_name
+from .line_filters import LEGIBLE, PLAIN, READABLE
 from .session.recovery import Memory, Settings
 from .session.session import Session
 from .widgets.signs import Signs
 
-# --- what the screen writes
-# Characters that a terminal would obey are written out: a name in a design file may hold any.
-
-BLANKS = re.compile(" {2,}")
-
 # seconds after a key in which the next one may come: until then a field does not complain of what is half typed, and
 # what nobody waits for leaves the processor to the keys
 TYPING = 0.6
-
-
-class Legible(LineFilter):
-    """The line stays as wide as it was: what is written out takes its room from blanks beside it, else from the line's
-    end."""
-
-    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
-        if all(segment.control or segment.text.isprintable() for segment in segments):
-            return segments
-        printable, owed = [], 0
-        for segment in segments:
-            text = segment.text if segment.control else visible(segment.text)
-            owed += cell_len(text) - cell_len(segment.text)
-            if owed and not segment.control:
-                text, owed = _shortened(text, owed)
-            printable.append(Segment(text, segment.style, segment.control))
-        return Segment.adjust_line_length(printable, Segment.get_line_length(segments)) if owed else printable
-
-
-def _shortened(text: str, owed: int) -> tuple[str, int]:
-    """The text with fewer blanks where several follow each other, and how many cells are still too many."""
-
-    def fewer(blanks: re.Match[str]) -> str:
-        nonlocal owed
-        taken = min(owed, len(blanks[0]) - 1)
-        owed -= taken
-        return blanks[0][taken:]
-
-    return BLANKS.sub(fewer, text), owed
-
-
-# --- the app
-
-LEGIBLE = Legible()
 
 
 class BaseApp(App[int]):
@@ -87,7 +44,7 @@ class BaseApp(App[int]):
     ) -> None:
         self.ascii = ascii
         settings = settings or Settings()
-        self.say = language(settings.language if settings.language in LANGUAGES else "en")
+        self.say = language(settings.language if settings.language in LANGUAGES else "en", ascii)
         self.signs = Signs(ascii, say=self.say)
         self.key_map = {new: keys for id, keys in (key_map or {}).items() if (new := OLD_IDS.get(id, id)) in BY_ID}
         super().__init__()
@@ -98,8 +55,14 @@ class BaseApp(App[int]):
         self.struck, self.struck_key = 0.0, ""  # when the last key was struck, by `time.monotonic`, and which
         self.guiding = settings.guide  # each form begins with what is to be decided in its step
 
+    def fit_signs(self) -> None:
+        """The signs of the language, the theme and the terminal as they are now."""
+        sixteen = self.console.color_system in ("standard", "windows")
+        self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say, sixteen)
+
     def get_line_filters(self) -> Sequence[LineFilter]:
-        return [*super().get_line_filters(), LEGIBLE]
+        readable = READABLE[self.current_theme.dark]
+        return [*super().get_line_filters(), readable, LEGIBLE, *([PLAIN] if self.ascii else [])]
 
     def _fatal_error(self) -> None:
         """A fault of the program ends the session without textual's trace over the screen: `app.run` says it in one

@@ -18,24 +18,11 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from calc.sheet.errors import BadTable
+from calc.sheet.in_ascii import in_ascii
 from calc.sheet.version import VERSION
 from calc.sheet.visible import visible
 
 REPLACED = "contralbero.replaced"  # how an encoding treats a sign that it does not have
-SIGNS = {
-    "−": "-",
-    "–": "-",
-    "—": "-",
-    "…": "...",
-    "·": "*",
-    "×": "x",
-    "≥": ">=",
-    "≤": "<=",
-    "µ": "u",
-    "μ": "u",
-    "→": "->",
-    "─": "-",
-}
 
 
 def _replaced(error: UnicodeError) -> tuple[str, int]:
@@ -43,7 +30,8 @@ def _replaced(error: UnicodeError) -> tuple[str, int]:
     if not isinstance(error, UnicodeEncodeError):
         raise error
     try:
-        return "".join(SIGNS.get(sign, "?") for sign in error.object[error.start : error.end]), error.end
+        signs = error.object[error.start : error.end]
+        return "".join("*" if sign == "·" else in_ascii(sign) for sign in signs), error.end
     except UnicodeEncodeError:
         return "?", error.end
 

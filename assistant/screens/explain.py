@@ -63,7 +63,7 @@ class ChainList(ItemList):
                         [*([Content("")] if items else []), Content.styled(title, "bold")] if title else [Content("")],
                     )
                 )
-            formula, numbers, source = line_text(link.line, say, say.number)
+            formula, numbers, source = map(say, line_text(link.line, say, say.number))
             entry = SheetEntry(f"{len(self.links) - number}", link.line.about, formula, numbers, source)
             block = setter.entry(entry)
             items.append(Item(str(number), block.rows, block.value, block.line))
@@ -87,7 +87,7 @@ class ChainList(ItemList):
         except (BadInput, KeyError):  # a column of an array, or what a name brings in
             label, value = key, ""
         else:
-            label, value = f"{self.app.say(about.label)}  {key}", f"{text} {about.unit}".strip()
+            label, value = f"{self.app.say(about.label)}  {key}", self.app.say(f"{text} {about.unit}".strip())
         line = f"{label}  {value}".rstrip()
         rows = wrap(f"      {self.app.signs.mark('from')} {line}", width, 8)
         return Item(f"{INPUT}{key} {number}", [Content.styled(row, "italic") for row in rows], value or key, line)

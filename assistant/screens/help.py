@@ -182,7 +182,7 @@ class HelpScreen(Once, ModalScreen[None]):
         about = session.about(place)
         key = ".".join(map(str, place))
         unit = f", {say(Text('in {unit}', unit=about.unit))}" if about.unit else ""
-        sign = f"   {plain(symbol(about.symbol))}" if about.symbol else ""
+        sign = f"   {say(plain(symbol(about.symbol)))}" if about.symbol else ""
         explanation = f"{meaning(about, say, sourced=False)} {allowed(about, say)}".strip()
         lines = [Content.assemble((say(about.label), "bold"), sign, (f"   {key}{unit}", "dim")), Content(explanation)]
         if about.source:

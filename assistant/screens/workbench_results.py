@@ -431,8 +431,13 @@ class WorkbenchResults(WorkbenchPanes):
     def show_verdicts(self) -> None:
         """The checks and verdicts: first, and at once."""
         results = self.session.results
-        outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
-        self.checks.show(outcome)
+        outcome, first = None, None
+        if results is not None:
+            from calc.studies.headlines import lead  # with numpy
+
+            outcome = said(results.outcomes[self.step.key], self.app.say)
+            first = lead(results, self.step.key, brief=True)
+        self.checks.show(outcome, first or EMPTY)
         if outcome is not None:
             findings = open_findings(outcome.checks)
             self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if findings else "")

@@ -92,7 +92,7 @@ def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[],
     for i, line in enumerate(outcome.lines):
         if stop():
             raise Cancelled
-        formula, numbers, source = line_text(line, say, say.number)
+        formula, numbers, source = map(say, line_text(line, say, say.number))
         checks, errata = tuple(by_line.get(i, ())), tuple(wrong.get(i, ()))
         entries.append(SheetEntry(f"{step}.{i + 1}", say(line.about), formula, numbers, source, checks, errata))
     return CalculationSheet(tuple(entries), tuple(wrong[-1]), outcome.proposals, tuple(outcome.notes), line_of)

@@ -46,7 +46,7 @@ class Raster:
         self.fill = np.zeros((rows * 2, columns), np.int64)
         self._ways = np.zeros((4, rows, columns), np.int64)
 
-    def lines(self, paths: Sequence[tuple[Floats, int, tuple[float, ...]]]) -> None:
+    def lines(self, paths: Sequence[tuple[Floats, int, tuple[float, ...]]], within: "Frame") -> None:
         """Draw paths (corners, role, pattern): a pattern has the lengths in dots that are drawn, left out, drawn …"""
         if not paths:
             return
@@ -79,13 +79,13 @@ class Raster:
             along = way[of[mine]] + t[mine] * np.hypot(step[:, 0], step[:, 1])[of[mine]]
             drawn[mine] = np.searchsorted(np.cumsum(pattern), along % sum(pattern), side="right") % 2 == 0
         x, y = np.floor(points).astype(int).T
-        drawn &= (x >= 0) & (x < self.columns * 2) & (y >= 0) & (y < self.rows * 4)
+        drawn &= (x >= within.left * 2) & (x < within.right * 2) & (y >= within.top * 4) & (y < within.bottom * 4)
         x, y, of = x[drawn], y[drawn], of[drawn]
         self.dots[y, x] = True
         np.maximum.at(self.roles, (y // 4, x // 2), kinds[of])
         np.add.at(self._ways, (_direction(step)[of], y // 4, x // 2), 1)
 
-    def area(self, outlines: Sequence[Floats], value: int) -> None:
+    def area(self, outlines: Sequence[Floats], value: int, within: "Frame") -> None:
         """Fill the halves of cells whose middles lie within an odd number of the outlines."""
         start = np.concatenate(outlines) / 2
         end = np.concatenate([np.roll(outline, -1, axis=0) for outline in outlines]) / 2
@@ -97,7 +97,10 @@ class Raster:
         left_of = np.zeros((self.rows * 2, self.columns + 1), np.int64)
         np.add.at(left_of, (row, np.clip(np.ceil(x - 0.5), 0, self.columns).astype(int)), 1)
         crossings = np.cumsum(left_of[:, ::-1], axis=1)[:, ::-1][:, 1:]
-        self.fill[crossings % 2 == 1] = value
+        inside = crossings % 2 == 1
+        inside[: within.top * 2], inside[within.bottom * 2 :] = False, False
+        inside[:, : within.left], inside[:, within.right :] = False, False
+        self.fill[inside] = value
 
     def letters(self, plain: bool) -> Integers:
         """The code of each cell's letter: of braille, or plain ones; 0 where no line runs."""
@@ -140,6 +143,14 @@ class Frame:
     rows: int
 
     @property
+    def right(self) -> int:
+        return self.left + self.columns
+
+    @property
+    def bottom(self) -> int:
+        return self.top + self.rows
+
+    @property
     def roomy(self) -> bool:
         return self.columns >= LEAST[0] and self.rows >= LEAST[1]
 
@@ -153,9 +164,14 @@ class Spread:
         ]
         reaches += [reach for mark in sketch.primitives for reach in _word_reach(mark, say)]
         self.x, self.y, self.left, self.right, self.up, self.down = np.array(reaches or [(0.0,) * 6]).T
-        self.sketch, self.title = sketch, bool(sketch.title)
+        self.sketch, self._title = sketch, say(sketch.title)
+        # what stands apart on paper has its turn in any case
+        self.wrong = not sketch.caption and any(mark.state for mark in sketch.primitives)
         self.extent = max(float(np.ptp(self.x)), float(np.ptp(self.y))) or 1.0
-        self.least_wide = cell_len(say(sketch.title))
+
+    def title(self, columns: int) -> list[str]:
+        """Its rows in so many cells."""
+        return wrap(self._title, columns) if self._title else []
 
     def edges(self, scale: float) -> tuple[float, float, float, float]:
         """Left, right, top and bottom in cells, at so many columns per metre."""
@@ -167,16 +183,17 @@ class Spread:
             float((upwards - self.down).min()),
         )
 
-    def size(self, scale: float) -> tuple[float, float]:
-        """Columns and rows."""
+    def size(self, scale: float, columns: int) -> tuple[float, float]:
+        """Columns and rows, where there are so many cells for the title."""
         left, right, top, bottom = self.edges(scale)
-        return max(right - left, self.least_wide), top - bottom + self.title
+        title = self.title(columns)
+        return max(right - left, *map(cell_len, title), 0), top - bottom + len(title)
 
     def largest(self, columns: int, rows: int) -> float:
         """The largest scale that fits into so many cells."""
         scale = (columns + 2 * rows) / self.extent
         scale = _shrunk(self.x, self.left, self.right, columns, scale)
-        return 2 * _shrunk(self.y, self.down, self.up, rows - self.title, scale / 2)
+        return 2 * _shrunk(self.y, self.down, self.up, rows - len(self.title(columns)), scale / 2)
 
 
 def _shrunk(at: Floats, before: Floats, behind: Floats, room: float, scale: float) -> float:
@@ -196,14 +213,16 @@ def _shrunk(at: Floats, before: Floats, behind: Floats, room: float, scale: floa
 
 def arranged(pictures: list[Spread], columns: int, rows: int) -> list[tuple[Spread, Frame]]:
     """The pictures side by side or one above the other, whichever draws them larger; as many as are still large
-    enough."""
+    enough: the first, and those that show what is wrong before others."""
     while len(pictures) > 1:
         ways = [
             way for way in (_shared(pictures, columns, rows, 0), _shared(pictures, columns, rows, 1)) if way is not None
         ]
         if ways:
             return max(ways, key=lambda way: way[0])[1]
-        pictures = pictures[:-1]
+        sound = (n for n in range(len(pictures) - 1, 0, -1) if not pictures[n].wrong)
+        left_out = next(sound, len(pictures) - 1)
+        pictures = pictures[:left_out] + pictures[left_out + 1 :]
     return [(pictures[0], Frame(0, 0, columns, rows))]
 
 
@@ -219,7 +238,7 @@ def _shared(
     alone = [picture.largest(columns, rows) for picture in pictures]
     share, sizes = 1.0, [room + 1]
     while sum(sizes) > room and share >= SMALL:
-        sizes = [math.ceil(picture.size(share * scale)[way]) for picture, scale in zip(pictures, alone)]
+        sizes = [math.ceil(picture.size(share * scale, columns)[way]) for picture, scale in zip(pictures, alone)]
         share *= SMALLER
     share /= SMALLER
     spare, at, frames = room - sum(sizes), 0, []
@@ -238,9 +257,12 @@ class Fit:
         self.scale = picture.largest(frame.columns, frame.rows)  # columns per metre
         left, right, top, bottom = picture.edges(self.scale)
         self.x = frame.left + (frame.columns - (right - left)) / 2 - left
-        above = max(0, math.floor((frame.rows - (top - bottom) - picture.title) / 2))
-        self.title = frame.top + above  # the row of the title
-        self.y = self.title + picture.title + top
+        title = picture.title(frame.columns)
+        above = max(0, math.floor((frame.rows - (top - bottom) - len(title)) / 2))
+        self.title = frame.top + above  # its first row
+        first = self.title + len(title)
+        self.y = first + top
+        self.inside = Frame(frame.left, first, frame.columns, max(0, frame.bottom - first))  # what is below the title
 
     def cell(self, at: Point) -> tuple[int, int]:
         """Row and column of a place."""
@@ -343,6 +365,7 @@ class Canvas:
     def __init__(self, columns: int, rows: int, signs: Signs, say: Language, lit: str) -> None:
         self.columns, self.rows, self.signs, self.say, self.lit = columns, rows, signs, say, lit
         self.raster = Raster(columns, rows)
+        self.inside = Frame(0, 0, columns, rows)  # where is drawn and written
         self.text = np.zeros((rows, columns), np.int64)  # code of a letter; 0: none; -1: the second half of a wide one
         self.text_roles = np.zeros((rows, columns), np.int64)
         self.fills: list[tuple[int, float]] = []  # role and shade of each value of `raster.fill`
@@ -356,13 +379,14 @@ class Canvas:
     def picture(self, picture: Spread, frame: Frame) -> None:
         """Draw one picture into its frame."""
         sketch, fit = picture.sketch, Fit(picture, frame)
-        if sketch.title:
-            title = self.say(sketch.title)
-            self.put(fit.title, frame.left + max(0, (frame.columns - cell_len(title)) // 2), title, FAINT)
+        self.inside = frame
+        for row, title in enumerate(picture.title(frame.columns), fit.title):
+            self.put(row, frame.left + max(0, (frame.columns - cell_len(title)) // 2), title, FAINT)
+        self.inside = frame = fit.inside
         paths: list[tuple[Floats, int, tuple[float, ...]]] = []
         for mark in sketch.primitives:
             paths += self._paths(mark, fit)
-        self.raster.lines(paths)
+        self.raster.lines(paths, frame)
         dimensions = [mark for mark in sketch.primitives if isinstance(mark, Dimension)]
         for dimension in dimensions:
             self._dimension_line(dimension, fit)
@@ -380,6 +404,7 @@ class Canvas:
         for dimension in dimensions:
             self._number(dimension, fit, frame)
         self._mark_states(sketch, fit, frame)
+        self.inside = Frame(0, 0, self.columns, self.rows)
 
     def _paths(self, mark: Mark, fit: Fit) -> Iterable[tuple[Floats, int, tuple[float, ...]]]:
         role, pattern = self.role(mark), PATTERNS.get(mark.layer, ())
@@ -395,7 +420,7 @@ class Canvas:
                 yield fit.dots(zip(centre[0] + r * np.cos(angles), centre[1] + r * np.sin(angles))), role, pattern
             case Area(outlines=outlines, shade=shade):
                 self.fills.append((role, shade))
-                self.raster.area([fit.dots(outline) for outline in outlines], len(self.fills))
+                self.raster.area([fit.dots(outline) for outline in outlines], len(self.fills), self.inside)
             case Dimension(start=start, end=end, line=(x, y), upright=upright):
                 for from_x, from_y in (start, end):
                     yield fit.dots([(from_x, from_y), (x, from_y) if upright else (from_x, y)]), FAINT, WITNESS
@@ -409,9 +434,14 @@ class Canvas:
         Words have theirs behind them.
         """
         ends: dict[tuple[str, str], Point] = {}
-        worded = {(mark.state, mark.key) for mark in sketch.primitives if isinstance(mark, Words)}
+        worded = {
+            (mark.state, key)
+            for mark in sketch.primitives
+            if isinstance(mark, Words)
+            for key in mark.key.split() or [""]
+        }
         for mark in sketch.primitives:
-            if mark.state and (mark.state, mark.key) not in worded:
+            if mark.state and all((mark.state, key) not in worded for key in mark.key.split() or [""]):
                 corner = max(reach(mark), key=sum)
                 known = ends.get((mark.state, mark.key))
                 ends[mark.state, mark.key] = corner if known is None else max(known, corner, key=sum)
@@ -460,13 +490,15 @@ class Canvas:
 
     # --- words
     def put(self, row: int, column: int, text: str, role: int, free: bool = False) -> None:
-        """Write over lines, and over words too, or (`free`) only where none stand."""
+        """Write over lines, and over words too, or (`free`) only where none stand; nothing outside of the picture's
+        frame."""
+        inside = self.inside
         for letter in text:
             wide = cell_len(letter)
             if (
-                0 <= row < self.rows
-                and 0 <= column
-                and column + wide <= self.columns
+                inside.top <= row < inside.bottom
+                and inside.left <= column
+                and column + wide <= inside.right
                 and wide
                 and not (free and self.text[row, column])
             ):
@@ -477,7 +509,7 @@ class Canvas:
     def _place(self, text: str, row: int, column: int, role: int, frame: Frame) -> None:
         """Write near a place where no other word stands, clear of lines if possible; not at all where there is no
         room."""
-        top, bottom, left, right = frame.top, frame.top + frame.rows, frame.left, frame.left + frame.columns
+        top, bottom, left, right = frame.top, frame.bottom, frame.left, frame.right
         wide = cell_len(text)
         if wide > right - left:
             return

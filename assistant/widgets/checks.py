@@ -15,7 +15,7 @@ from calc.design.key_results import judged, outside
 from calc.sheet.check import Check
 from calc.sheet.number import short
 from calc.sheet.step import Outcome
-from calc.sheet.text import COMMA, Amount, Name, Text, plural
+from calc.sheet.text import COMMA, EMPTY, Amount, Name, Text, plural
 from calc.sheet.verdict import named, open_findings, severity
 
 from ..session.places import label_of
@@ -85,11 +85,13 @@ class Checks(ItemList):
         super().__init__(id="checks-list")
         self.outcome: Outcome[object] | None = None
         self.unfolded: set[str] = set()  # causes, and ADVICE, METHOD, HOLD
+        self.lead = EMPTY  # the sentence with which the step begins
         self.slopes: dict[str, Text] = {}  # id of a check → what moves it most
         self._clicked_at = ""
 
-    def show(self, outcome: Outcome[object] | None) -> None:
+    def show(self, outcome: Outcome[object] | None, lead: Text = EMPTY) -> None:
         if outcome is not self.outcome:
+            self.lead = lead
             if outcome is None or self.outcome is None or outcome.key != self.outcome.key:
                 self.unfolded = set()
             self.outcome, self.slopes = outcome, {}
@@ -220,9 +222,11 @@ class Checks(ItemList):
         columns = self._columns([row for row in rows if row.check is not None], width)
         keys = [row.key for row in rows if row.key]
         chosen = self.key if self.key in keys else keys[0] if keys else ""
-        reasons = (
-            [Item("", [Content(row) for row in wrap(say(outcome.reason), max(1, width))])] if outcome.reason else []
-        )
+        reasons = [
+            Item("", [Content(row) for row in wrap(say(text), max(1, width))])
+            for text in (outcome.reason, self.lead)
+            if text
+        ]
         signs = self.app.signs
         verdict = wrap(f"{signs.mark(outcome.verdict)} {say(outcome.words())}", max(1, width), SIGN)
         items = [*reasons, Item("", [Content.styled(row, signs.style(outcome.colour)) for row in verdict])]

@@ -202,6 +202,7 @@ class CurvePane(Pane, can_focus=True):
     as long as it is."""
 
     app: BaseApp
+    whole: ClassVar[bool] = True
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("space", "turn(1)", "Next curve", show=False),
     ]

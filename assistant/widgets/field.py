@@ -6,6 +6,7 @@ import re
 from dataclasses import MISSING, dataclass
 from typing import Any
 
+from rich.cells import cell_len
 from textual.app import ComposeResult
 from textual.content import Content
 from textual.message import Message
@@ -38,7 +39,7 @@ BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16}
 WORD_NARROW = 30
 PLAIN = re.compile(r"-?\d*\.?\d*")  # needs no word on how it was understood
 NOTHING = "–"  # in a field that says nothing in this design
-NARROW = 60  # a form that has at least this many cells is the only pane
+NARROW = 59  # a form that has at least this many cells is the only pane
 
 
 class Field(Widget):
@@ -298,7 +299,7 @@ class Field(Widget):
             box = WORD_NARROW
         note, state = self.note()
         room = max(0, width - label - box - 4)
-        unit = self.about.unit
+        unit = self.app.say(self.about.unit)
         gap = " " if unit and note else ""
         if state == "sample":  # as much of the name as there is room for
             name = self._sample()
@@ -429,16 +430,32 @@ class CellColumns(Widget):
 
     def redraw(self, row: FormRow) -> None:
         self.row = row
-        self.refresh()
+        self.refresh(layout=True)
+
+    def get_content_height(self, container: Any, viewport: Any, width: int) -> int:
+        return len(self.render().split("\n"))
 
     def render(self) -> Content:
         labels = [str(heading.about.label).split() for heading in self.row.inside]
         common = [word for word in labels[0] if all(word.lower() in map(str.lower, label) for label in labels)]
         known = {word.lower() for word in common}
         names = [" ".join(word for word in label if word.lower() not in known) for label in labels]
-        title = " ".join(common).capitalize()
-        boxes = "".join(f" {fit(name[:1].upper() + name[1:], CELL):<{CELL + 1}}" for name in names)
-        return Content.styled(pad(f" {title}", label_width(self.size.width)) + boxes, "bold")
+        title, width = " ".join(common).capitalize(), label_width(self.size.width)
+        columns = [_stacked(name[:1].upper() + name[1:]) for name in names]
+        high = max(map(len, columns))
+        columns = [[*[""] * (high - len(column)), *column] for column in columns]
+        rows = [
+            pad(f" {title}" if n == high else "", width) + "".join(f" {part:<{CELL + 1}}" for part in parts)
+            for n, parts in enumerate(zip(*columns), 1)
+        ]
+        return Content.styled("\n".join(rows), "bold")
+
+
+def _stacked(name: str) -> list[str]:
+    """The name of a column of cells, in two rows where one is too short."""
+    words = name.split()
+    first = next((n for n in range(len(words), 1, -1) if cell_len(" ".join(words[:n])) <= CELL), 1)
+    return [fit(" ".join(part), CELL) for part in (words[:first], words[first:]) if part]
 
 
 class Cells(Widget):
@@ -485,7 +502,7 @@ class Cells(Widget):
         labels, errors = self._rows(width, self.app.say)
         here = any(field.box.has_focus for field in self.fields if field.is_mounted)
         label = pad(" " + labels[0], label_width(width))
-        unit = fit(self.row.about.unit, max(0, width - len(label) - APART * len(self.fields) - 1))
+        unit = fit(self.app.say(self.row.about.unit), max(0, width - len(label) - APART * len(self.fields) - 1))
         first = Content.assemble((label, "bold" if here else ""), " " * APART * len(self.fields), " ", (unit, "dim"))
         lines = [first, *(Content(" " + text) for text in labels[1:])]
         lines += [Content.styled("  " + text, self.app.signs.style("invalid")) for text in errors]

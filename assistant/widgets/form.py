@@ -22,13 +22,13 @@ from calc.locale import Language
 from calc.locale.language import in_language
 from calc.sheet.errors import BadInput
 from calc.sheet.number import short
-from calc.sheet.step import Step
+from calc.sheet.step import OF_SHAFTS, Step
 from calc.sheet.text import COMMA, EMPTY, Name, Text, plural
 
 from ..base_app import BaseApp
 from ..session import numbers
 from ..session.guide import FIRST, GUIDES, fold_at, taken_over
-from ..session.places import SHAFTS, Place, content_at
+from ..session.places import OF_SHAFT, SHAFTS, Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
 from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, sides
@@ -98,17 +98,18 @@ class Taken(ItemList):
         items = []
         values, say = self.session.values(), self.app.say
         label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
-        several, original = len(self.session.shafts) > 1, self.session.original
-        others = {name for name in self.session.shafts if name != original}
+        one, original = self.step in OF_SHAFT, self.session.original  # of a step of all shafts each says whose it is
+        others = {name for name in self.session.shafts if one and name != original}
+        leafs = len(self.session.shafts) > 1 and self.step in OF_SHAFTS
         for id in taken_over(self.step, self.session.data, values):
             if others.intersection(id.split(".")[1:2]):
                 continue
             owner = step_at(self.session.data, id)
             if (known := values.get(id)) is not None:
                 _, *part, _ = id.split(".")  # front or rear
-                part = part[1:] if several and part[:1] == [original] else part
+                part = part[1:] if leafs and part[:1] == [original] else part
                 label = say(COMMA.join((known.label, *part)))
-                text, unit = say.number(short(known.shown)), known.unit
+                text, unit = say.number(short(known.shown)), say(known.unit)
             else:
                 try:
                     about = quantity_of(self.session.data, id)
@@ -117,7 +118,8 @@ class Taken(ItemList):
                 content = value_at(self.session.data, id) if asks(self.session.data, owner) else None
                 if content is None:
                     continue
-                label, text, unit = say(about.label), numbers.written(content, about, self.session.decimal), about.unit
+                label, unit = say(about.label), say(about.unit)
+                text = numbers.written(content, about, self.session.decimal)
             labels = wrap(label, label_width - 1)
             origin = f"{self.app.signs.mark('from')} {NUMBERS[owner]}"
             value = f"{text} {unit}".rstrip()
@@ -174,7 +176,7 @@ class FormParts:
         if not self.there:
             return []
         rows = routed(self._step, self._session.data, asked, opened)
-        return rows if self._say.code == "en" else [_said(row, self._say) for row in rows]
+        return rows if self._say.original else [_said(row, self._say) for row in rows]
 
     def fold(self, place: Place) -> int | None:
         """The fold that a place lies in."""

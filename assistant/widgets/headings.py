@@ -123,7 +123,7 @@ class ArrayHeading(Widget, can_focus=True):
         ]
         if not (items := self.items()) or not columns:
             return []
-        labels = [f"{self.app.say(known[key].label)} {known[key].unit}".rstrip() for key in columns]
+        labels = [_headed(self.app.say(known[key].label), self.app.say(known[key].unit)) for key in columns]
         return [
             ("", *labels),
             *((name, *(self._written(item.get(key)) for key in columns)) for name, item in zip(self.names(), items)),
@@ -217,6 +217,11 @@ class ArrayHeading(Widget, can_focus=True):
         self.refresh()
 
 
+def _headed(label: str, unit: str) -> str:
+    """The head of a column: where it is too long, the unit stays."""
+    return f"{fit(label, max(4, LABEL - len(unit) - 1))} {unit}" if unit else label
+
+
 class ShaftsHeading(ArrayHeading):
     """That of the shafts: what each is, and what it gives.  Where another step asks for them, one row that leafs."""
 
@@ -240,7 +245,7 @@ class ShaftsHeading(ArrayHeading):
             ratio = f"{shaft.get(RATIO) or 0:+g}".replace("-", "−")
             rows.append((fit(name, SHAFT_NAME), say(twin_words(shaft)) or ratio))
         for label, unit, column in self._given(shafts):
-            words = [f"{say(label)} {unit}", *(say.number(short(x)) for x in column)]
+            words = [f"{say(label)} {say(unit)}", *(say.number(short(x)) for x in column)]
             rows = [(*row, word.rjust(max(map(len, words)))) for row, word in zip(rows, words)]
         return rows
 

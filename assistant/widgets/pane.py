@@ -1,24 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """A part of the screen with a title, which says whether it has the focus."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
+from rich.cells import cell_len
 from textual.containers import Vertical
 from textual.content import Content
 from textual.widget import Widget
 from textual.widgets import Static
 
 from ..base_app import BaseApp
-from .text import fit
+from .text import fit, wrap
 
 if TYPE_CHECKING:
     pass
 
 
 class Pane(Vertical):
-    """`target` takes the focus for the pane."""
+    """`target` takes the focus for the pane.  `whole`: a title that is too long goes on in further rows, and is not cut
+    off."""
 
     app: BaseApp
+    whole: ClassVar[bool] = False
 
     def __init__(self, title: str, *children: Widget, id: str) -> None:
         self.title = Static(id=f"{id}-title", classes="pane-title")
@@ -48,21 +51,27 @@ class Pane(Vertical):
             return
         room = width - (self.views.cell_length + 2 if self.views.plain else 0)
         parts = self.right.split(" · ") if self.right else []
-        name = fit(self.name_of, max(8, room - (len(parts[0]) + 3 if parts else 0)))
+        named = max(8, room - (len(parts[0]) + 3 if parts else 0))
+        name, below = fit(self.name_of, named), list[str]()
+        if self.whole and cell_len(self.name_of) > named:
+            rows = wrap(self.name_of, width if self.views.plain else named)
+            name, below = ("", rows) if self.views.plain else (rows[0], rows[1:])
         beside = ""
         for part in parts:
-            if len(name) + len(beside) + len(part) + 3 <= room:
+            if cell_len(name) + len(beside) + len(part) + 3 <= room:
                 beside += f" · {part}"
+        beside = beside if name else beside.removeprefix(" · ")
         if self.views.plain:
             end = self.views
         else:
             beside, end = "", Content.styled(beside.removeprefix(" · "), "not bold")
-        gap = max(1, width - len(name) - len(beside) - end.cell_length)
+        gap = max(1, width - cell_len(name) - len(beside) - end.cell_length)
         mark = self.app.signs.mark("cursor") if self.here else " "
         heading = Content.assemble(mark, name, (beside, "not bold"), (" " * gap, "not underline"), end)
+        heading = Content("\n").join([heading, *(Content(f" {row}") for row in below)])
         if heading.markup != self._shown:
             self._shown = heading.markup
-            self.title.update(heading, layout=False)
+            self.title.update(heading, layout=1 + len(below) != self.title.size.height)
 
     def on_mount(self) -> None:
         self.name_of = self.app.say(self.name_of)

@@ -19,7 +19,7 @@ from calc.engine.inputs import EngineInputs
 from calc.locale import Language
 from calc.sheet.quantity import THUMB, Quantity, dotted, keys
 from calc.sheet.step import Step
-from calc.sheet.text import Amount, Text
+from calc.sheet.text import Amount, Name, Text
 
 from ..base_app import BaseApp
 from ..session.guide import (
@@ -274,9 +274,12 @@ class _Rows:
                     yield FormRow("original", (*here, i), about)
 
 
-def _titled(about: Quantity, bearing: object) -> Quantity:
-    """What stands above a column of inputs of one bearing, whose name is an input of another step."""
-    name = str(as_table(bearing).get(BEARING_NAME, ""))
+def _titled(about: Quantity, element: object) -> Quantity:
+    """What stands above a column, or before a row, of inputs of one element: of a bearing, whose name is an input of
+    another step, that it is one."""
+    name = str(as_table(element).get(BEARING_NAME, ""))
+    if about.table is not BearingRow:
+        return replace(about, label=Text("{name}", name=Name(name)))
     return replace(about, label=COLUMNS.get(name) or Text("{name} bearing", name=titled(name)))
 
 

@@ -64,6 +64,9 @@ LIGHT = {
     "accepted": "#0072B2",
     "lit": "#0072B2",
 }
+# of a terminal with sixteen colours, which would show a failure and a caution of the above in one
+SIXTEEN_DARK = {"pass": "#55FFFF", "warn": "#FFFF55", "fail": "#FF5555"}
+SIXTEEN_LIGHT = {"pass": "#0000AA", "warn": "#AA00AA", "fail": "#AA0000"}
 BOLD = {"fail", "no_solution", "invalid", "needs", "lit"}
 MUTED = "dim"
 LINES_DARK = ("#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#F0E442")
@@ -95,13 +98,26 @@ class Look:
         return self.plain or BAR_MARKS[self.pattern]
 
 
+def _sixteen(dark: bool) -> dict[str, str]:
+    """The colour of each state where there are sixteen."""
+    many, few = (DARK, SIXTEEN_DARK) if dark else (LIGHT, SIXTEEN_LIGHT)
+    kinds = {many[kind]: colour for kind, colour in few.items()}
+    return {state: kinds[colour] for state, colour in many.items()}
+
+
 class Signs:
     """The signs as this terminal can show them, with words in the user's language and styles for its background."""
 
     def __init__(
-        self, ascii: bool = False, dark: bool = True, colour: bool = True, say: Language | None = None
+        self,
+        ascii: bool = False,
+        dark: bool = True,
+        colour: bool = True,
+        say: Language | None = None,
+        sixteen: bool = False,
     ) -> None:
         self.ascii, self.dark, self.colour = ascii, dark, colour
+        self.colours = _sixteen(dark) if sixteen else DARK if dark else LIGHT
         self.say = say or language("en")
         self.marks = ASCII if ascii else MARKS
 
@@ -113,7 +129,7 @@ class Signs:
         return self.say(WORDS[state])
 
     def style(self, state: str) -> str:
-        colour = (DARK if self.dark else LIGHT).get(state)
+        colour = self.colours.get(state)
         if colour is None:
             return MUTED
         if not self.colour:
@@ -133,9 +149,7 @@ class Signs:
 
     def limit(self) -> Look:
         """Of a limit in a curve."""
-        return Look(
-            (DARK if self.dark else LIGHT)["fail"] if self.colour else "#FFFFFF", LIMIT, "-" if self.ascii else ""
-        )
+        return Look(self.colours["fail"] if self.colour else "#FFFFFF", LIMIT, "-" if self.ascii else "")
 
     def point(self, chosen: bool) -> str:
         """Where the cursor stands on a line."""

@@ -111,7 +111,7 @@ class Steps(ItemList):
             shown = headline(results, state.key)
         if shown is not None:
             long, brief = (say(text).replace("→", signs.mark("then")) for text in (shown.text, shown.brief))
-            rows.append(Content(f"{INDENT}{long if len(long) <= room else fit(brief, room)}"))
+            rows += [Content(INDENT + row) for row in wrap(long if len(long) <= room else brief, room)]
             if shown.share is not None and shown.check is not None:
                 verdict = signs.style(shown.check.verdict)
                 rows.append(

@@ -12,7 +12,8 @@ from textual.content import Content
 
 from .signs import Signs
 
-PIECES = re.compile(r".+?(?:(?<=[ ])|(?<=[·/,;)+])(?=[^\s·/,;)+^])|\Z)", re.DOTALL)
+# at spaces and behind signs, but not within 3.2/4.5, mm/s or 3,2
+PIECES = re.compile(r".+?(?:(?<=[ ])|(?<=[·/,;)+–])(?!(?<=\w/)\w{1,3}\b|(?<=\d,)\d)(?=[^\s·/,;)+^])|\Z)", re.DOTALL)
 LOOSE = 0.4  # the share of a row that may stay empty for the sake of a better break
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, TypeVar, cast
 
 from ..sheet.check import Check
 from ..sheet.deferred import Later
+from ..sheet.in_ascii import in_ascii
 from ..sheet.quantity import Quantity
 from ..sheet.step import Curve, DrawnLoad, Erratum, Outcome, Series, Table, Turning
 from ..sheet.text import Amount, Name, Part, Small, Text, english, with_unit
@@ -36,6 +37,11 @@ class Language:
         self.code = code
         self.missing: set[str] = set()
         self._catalogue = catalogue
+
+    @property
+    def original(self) -> bool:
+        """Whether a text is said as it stands in the code."""
+        return self._catalogue is None
 
     @property
     def decimal(self) -> str:
@@ -95,6 +101,25 @@ class Language:
         return None
 
 
+class AsciiLanguage(Language):
+    """A language in the letters of ASCII: its texts, and names too."""
+
+    original = False
+
+    def __call__(self, text: str) -> str:
+        return in_ascii(super().__call__(text))
+
+    def halves(self, text: Text) -> tuple[str, str]:
+        front, behind = super().halves(text)
+        return in_ascii(front), in_ascii(behind)
+
+    def part(self, part: Part) -> str:
+        return in_ascii(super().part(part))
+
+    def number(self, written: str) -> str:
+        return in_ascii(super().number(written))
+
+
 def _numeral(match: re.Match[str]) -> str:
     whole, decimals = match[1], match[2]
     if len(whole) > 4:
@@ -103,13 +128,12 @@ def _numeral(match: re.Match[str]) -> str:
 
 
 @cache
-def language(code: str) -> Language:
-    """A language by its code.  Raises KeyError where there is none."""
+def language(code: str, ascii: bool = False) -> Language:
+    """A language by its code; `ascii`: for a terminal without other letters.  Raises KeyError where there is none."""
     if code not in LANGUAGES:
         raise KeyError(code)
-    if code == "en":
-        return Language(code)
-    return Language(code, translation(DOMAIN, FOLDER, [code]))
+    kind = AsciiLanguage if ascii else Language
+    return kind(code) if code == "en" else kind(code, translation(DOMAIN, FOLDER, [code]))
 
 
 # --- what a step gave, with its texts in another language
@@ -125,7 +149,7 @@ SPOKEN = frozenset({Quantity, Curve, Erratum, DrawnLoad, Series, Table, Turning}
 def said(outcome: Outcome[object], say: Language) -> Outcome[object]:
     """The outcome in a language.  What is made only when it is asked for (`further`) is left out: pass
     `outcome.whole`."""
-    if say.code == "en":
+    if say.original:
         return outcome
     left = ("result", "lines", "key_curves")
     spoken = {f.name: in_language(getattr(outcome, f.name), say) for f in fields(Outcome) if f.name not in left}
@@ -135,7 +159,7 @@ def said(outcome: Outcome[object], say: Language) -> Outcome[object]:
 
 def in_language(thing: T, say: Language) -> T:
     """A text, a tuple, or a record of the sheet, with every Text in it said; anything else as it is."""
-    if say.code == "en":
+    if say.original:
         return thing
     return cast(T, _said(thing, say))
 

@@ -169,12 +169,20 @@ def _backlash(results: Results) -> Text | None:
     return Text("{low} … {high}", low=low, high=high)
 
 
-def _gears(results: Results) -> Text | None:
-    """`rattle B 58 mm/s` where the motion of the crank is known, else the backlash."""
+def _rattle(results: Results) -> Text | None:
+    """Its grade at idle, and how hard the flanks strike."""
     u = results.value(DriveResult.impact_speed)
     drive = results.train.drive if results.train is not None else None
-    if drive is not None and drive.grade is not None and u is not None and not drive.assumed:
-        return Text("rattle {grade} {u}", grade=grade_letter(drive.grade), u=Amount(u.shown, u.unit, form=".0f"))
+    if drive is None or drive.grade is None or u is None:
+        return None
+    return Text("{grade} {u}", grade=grade_letter(drive.grade), u=Amount(u.shown, u.unit, form=".0f"))
+
+
+def _gears(results: Results) -> Text | None:
+    """`rattle B 58 mm/s` where the motion of the crank is known, else the backlash."""
+    drive, strikes = results.train.drive if results.train is not None else None, _rattle(results)
+    if drive is not None and not drive.assumed and strikes is not None:
+        return Text("rattle {strikes}", strikes=strikes)
     backlash = _backlash(results)
     return Text("backlash {range}", range=backlash) if backlash is not None else None
 
@@ -211,14 +219,14 @@ GIVES: Mapping[str, Callable[[Results], Text | None]] = {
 }
 
 
-LEADS: Mapping[str, Callable[[Results], Text | None]] = {
-    "gears": lambda results: sentence(results.train) if results.train is not None else None,
+LEADS: Mapping[str, Callable[[Results, bool], Text | None]] = {
+    "gears": lambda results, brief: sentence(results.train, brief=brief) if results.train is not None else None,
 }
 
 
-def lead(results: Results, key: str) -> Text | None:
-    """The sentence with which a step begins where all of it is told; None: it has none."""
-    return LEADS[key](results) if key in LEADS else None
+def lead(results: Results, key: str, *, brief: bool = False) -> Text | None:
+    """The sentence with which a step begins; None: it has none.  `brief`: without what it rests on."""
+    return LEADS[key](results, brief) if key in LEADS else None
 
 
 # --- the teeth under their strikes
@@ -353,6 +361,7 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
     numbers += [
         (Text("oil leaves with"), extreme(max, results.values_of(PlainResult.outlet_temperature))),
         (Text("backlash"), _backlash(results)),
+        (Text("rattle at idle"), _rattle(results)),
     ]
     for symbol, values in rated.items():
         under = governing.get(symbol)

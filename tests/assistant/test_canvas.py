@@ -51,6 +51,16 @@ def test_what_the_edited_field_shows_is_lit_and_a_failing_part_has_its_sign():
     assert styles(plain, "✗") == {signs.style("fail")}
 
 
+def test_a_part_has_one_sign_behind_its_words():
+    fit, ring = "bearings.front.seat_fit", "bearings.front.seat_fit bearings.front.carrier_mm"
+    marks = (
+        Polyline("OUTLINE", ((0.0, 0.0), (0.03, 0.0)), key=ring, state="fail"),
+        Words("TEXT", (0.04, 0.0), "N7", key=fit, state="fail"),
+    )
+    assert draw(Sketch(marks), 40, 12, Signs(), say).plain.count("✗") == 1
+    assert draw(Sketch((marks[0],)), 40, 12, Signs(), say).plain.count("✗") == 1
+
+
 def test_a_table_is_lit_by_each_of_its_fields():
     sketch = Sketch((Words("TEXT", (0.0, 0.0), "A", key="countershaft.masses.A"),))
     signs = Signs()
@@ -112,6 +122,17 @@ def test_pictures_beside_each_other_are_left_out_where_they_get_too_small():
 
     assert shown(90, 14) == ["first", "second", "third"]
     assert shown(24, 10) == ["first"]
+
+
+def test_of_the_pictures_that_have_room_those_that_show_what_is_wrong_come_before_others():
+    def picture(name, state=""):
+        return Sketch((Arc("OUTLINE", (0.0, 0.0), 0.05, key="engine.bore_mm", state=state),), title=Text("{n}", n=name))
+
+    front, middle, rear = picture("front"), picture("middle"), picture("rear", "fail")
+    for beside, shown in (((middle, rear), "rear"), ((rear, middle), "rear"), ((middle, picture("rear")), "middle")):
+        sketch = Sketch(front.primitives, title=front.title, beside=beside)
+        words = draw(sketch, 46, 10, Signs(), say).plain
+        assert [name for name in ("front", "middle", "rear") if name in words] == ["front", shown]
 
 
 def test_notes_are_of_the_pictures_that_are_shown_and_say_that_there_are_others() -> None:

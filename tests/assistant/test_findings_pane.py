@@ -16,6 +16,7 @@ from assistant.widgets.text import bar
 from calc.sheet.text import Text
 from calc.sheet.verdict import findings_of, open_findings
 from calc.studies.explain import effects, moved_by
+from calc.studies.headlines import lead
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import settled, strike, until, work
 from tests.made_checks import made_check
@@ -52,6 +53,10 @@ async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, se
         await strike(pilot, "end", "enter")
         ticks, held = sum("✓" in row for row in rows(checks).values()), sum(not check.open for check in outcome.checks)
         assert rows(checks)["hold"] == f"✓ {held} hold ▾" and ticks == held + 1 > 40
+        await strike(pilot, "5")
+        await settled(pilot)
+        first = " ".join(" ".join(row.plain for row in checks.items[0].rows).split())
+        assert str(lead(work(pilot).session.results, "gears", brief=True)) == first and first.startswith("Rattle at")
 
 
 @pytest.mark.slow

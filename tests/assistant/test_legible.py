@@ -4,7 +4,7 @@
 from rich.segment import Segment
 from textual.color import Color
 
-from assistant.base_app import Legible
+from assistant.line_filters import Legible
 from assistant.session.session import Session
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import screen_rows

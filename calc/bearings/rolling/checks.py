@@ -67,6 +67,7 @@ LIFE_ASSUMED = CheckRule(
     unit="h",
     source=Text("ISO 281:2007, the rows of the duty by Miner; asked: that of the gears, else 5000 h"),
     advice=Text("The next size, cleaner or cooler oil; or say the life that is asked."),
+    decides=True,
     value_id=_of(RollingResult.life),
     moved_by=(SIZE, LIFE_H, CLEAN, T_IN, OIL, RATING),
     short=Text("life"),

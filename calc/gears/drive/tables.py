@@ -153,9 +153,10 @@ def chain_table() -> Table:
 # --- in one sentence
 
 
-def sentence(train: TrainResult) -> Text | None:
+def sentence(train: TrainResult, *, brief: bool = False) -> Text | None:
     """`Rattle at idle, no load: B, strikes at 58 mm/s on both flanks (A up to 35, B up to 70); teeth then carry some
-    1.8 to 3.0 kN`; None where there is no drive."""
+    1.8 to 3.0 kN`, and on what default it rests; `brief`: without that and what stands in brackets.  None where there
+    is no drive."""
     drive = train.drive
     if drive is None or not drive.meshes:
         return None
@@ -171,9 +172,13 @@ def sentence(train: TrainResult) -> Text | None:
     if not hardest.impact_speed:
         words = Text("Rattle at idle, no load: A, the flanks stay closed.")
     else:
-        words = Text(
+        long = Text(
             "Rattle at idle, no load: {grade}, strikes at {u}{flanks} (A up to {A}, B up to {B}); teeth then carry "
-            "some {force}.",
+            "some {force}."
+        )
+        short = Text("Rattle at idle, no load: {grade}, strikes at {u}{flanks}; teeth then carry some {force}.")
+        words = Text(
+            (short if brief else long).template,
             grade=grade_letter(drive.grade),
             u=Amount(hardest.impact_speed * MM_S, "mm/s", form=".0f"),
             flanks=FLANKS[round(hardest.flanks)],
@@ -181,7 +186,7 @@ def sentence(train: TrainResult) -> Text | None:
             B=B,
             force=kilonewtons(max(at.impact_force_low for at in idle), max(at.impact_force for at in idle)),
         )
-    if not drive.assumed:
+    if not drive.assumed or brief:
         return words
     return Text(
         "{words} This rests on {taken}, a default that knows no load: give [engine.gas] and {flywheel}.",
