@@ -529,7 +529,7 @@ def test_where_it_can_not_a_save_asks_for_schema_2_and_keeps_the_comments(sessio
     assert session.remark((*SHAFTS, 0, "half_length_mm")) == "assumed: up to the front journal"
 
 
-@pytest.mark.parametrize("answer", ["y", pytest.param("n", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("answer", ["enter", pytest.param("escape", marks=pytest.mark.slow)])
 async def test_the_question_is_asked_and_no_work_is_lost(screen: Screen, light: Session, answer: str) -> None:
     async with screen() as pilot:
         await go_to(pilot, "shafts.shaft.name")
@@ -539,9 +539,9 @@ async def test_the_question_is_asked_and_no_work_is_lost(screen: Screen, light: 
         await until(pilot, lambda: isinstance(pilot.app.screen, Ask))
         await strike(pilot, answer)
         await settled(pilot)
-        assert light.value("shafts.0.name") == "left" and light.dirty is (answer == "n")
-        assert ("Saved" in told(pilot)) is (answer == "y")
-    assert tomllib.loads(light.home.read_text("utf-8"))["schema"] == (2 if answer == "y" else 1)
+        assert light.value("shafts.0.name") == "left" and light.dirty is (answer == "escape")
+        assert ("Saved" in told(pilot)) is (answer == "enter")
+    assert tomllib.loads(light.home.read_text("utf-8"))["schema"] == (2 if answer == "enter" else 1)
 
 
 def test_edits_that_version_0_1_kept_are_put_back_in_the_fields_of_today(session: Session) -> None:
