@@ -431,7 +431,8 @@ class WorkbenchResults(WorkbenchPanes):
         self.checks.show(outcome)
         if outcome is not None:
             findings = open_findings(outcome.checks)
-            self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if findings else "")
+            several = any(len(group) > 1 for group in findings)  # else the verdict says how many
+            self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if several else "")
         self.refresh_top_line()  # the last line of the screen follows: what lies between two lines is painted with them
 
     def show_state(self) -> None:
@@ -474,6 +475,7 @@ class WorkbenchResults(WorkbenchPanes):
         line = self.query_one(MessageLine)
         line.trouble, line.remedy = self.trouble, self.remedy
         line.redraw()
+        self.checks.offer(line.beside and self.trouble == self.step.key and bool(line.offer()))
         self.show_keys()
 
     def show_finding(self) -> None:
@@ -561,13 +563,19 @@ class WorkbenchResults(WorkbenchPanes):
             self._unchosen = results, with_imbalance(session.document, results)
         return self._unchosen[1]
 
+    def set_out(self) -> None:
+        super().set_out()
+        if self.stands and self.is_mounted:
+            self.show_keys()
+
     def show_keys(self) -> None:
         """The footer leaves out first what does nothing here."""
         pane, results = self.curve_pane, self.session.results
         sound = self.session.valid and results is not None and all(c.verdict not in URGENT for c in results.checks())
+        unseen = self.wide and "curve" not in self.shown_panes
         idle = {
-            "variant": pane.curve is None or (len(pane.curve.variants) < 2 and not pane.walks),
-            "curve": len(pane.leaves) < 2,
+            "variant": unseen or pane.curve is None or (len(pane.curve.variants) < 2 and not pane.walks),
+            "curve": unseen or len(pane.leaves) < 2,
             "trouble": sound,
             "fix": sound,
             "choose": self.step.key not in CHOICES,
@@ -586,10 +594,7 @@ class WorkbenchResults(WorkbenchPanes):
         elif isinstance(source, (ArrayHeading, TableHeading, Fold, Radio, Taken)):
             foot.show(*source.explained())
         elif source is not None and self.pane == "inputs":
-            foot.show(
-                say(Text("No field is being edited")),
-                say(Text("letters act as keys; Tab or ↓ goes back to the fields.")),
-            )
+            foot.show("", say(Text("Tab ↓: to the fields")))
         else:
             foot.show("", "")
 

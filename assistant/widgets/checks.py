@@ -19,7 +19,9 @@ from calc.sheet.text import COMMA, Amount, Name, Text, plural
 from calc.sheet.verdict import named, open_findings, severity
 
 from ..session.places import label_of
+from ..session.wording import worded
 from .item_list import Item, ItemList
+from .pane import short_of_room
 from .text import bar, pad, wrap
 
 VALUE, LIMIT, MARGIN = Text("Value"), Text("Limit"), Text("Margin")
@@ -87,6 +89,27 @@ class Checks(ItemList):
         self.unfolded: set[str] = set()  # causes, and ADVICE, METHOD, HOLD
         self.slopes: dict[str, Text] = {}  # id of a check → what moves it most
         self._clicked_at = ""
+        self.offered = False  # what mends the step is said elsewhere on the screen, with its numbers
+
+    def offer(self, offered: bool) -> None:
+        if offered != self.offered:
+            self.offered = offered
+            self.rebuild()
+
+    @property
+    def brief(self) -> bool:
+        """Whether of the finding under the cursor only its distance and what mends it is told: beside other panes, until
+        the findings have the focus."""
+        return short_of_room(self) and not self.has_focus
+
+    def on_focus(self) -> None:
+        super().on_focus()
+        self.rebuild()
+
+    def on_blur(self) -> None:
+        super().on_blur()
+        if self.is_attached:
+            self.rebuild()
 
     def show(self, outcome: Outcome[object] | None) -> None:
         if outcome is not self.outcome:
@@ -183,9 +206,7 @@ class Checks(ItemList):
         """The worst of each cause, before the others where they are unfolded; or that there is none."""
         groups = open_findings(outcome.checks)
         if not groups:
-            judges = outcome.verdict not in ("not_judged", "computed")
-            words = Text("Nothing fails here, no caution is open.") if judges else Text("No limit is judged here.")
-            return [CheckRow("", head=Content.styled(f"{' ' * SIGN}{self.app.say(words)}", "dim"))]
+            return []
         rows: list[CheckRow] = []
         for worst, *others in groups:
             unfolded = cause(worst) in self.unfolded
@@ -308,13 +329,18 @@ class Checks(ItemList):
         rows = [Content.assemble(*first)]
 
         def tell(words: str, style: str = "") -> None:
-            rows.extend(Content.styled(indent + row, style) for row in wrap(words, room))
+            rows.extend(Content.styled(indent + row, style) for row in wrap(worded(words, say), room) if row)
 
+        advice = say(check.to_do).removeprefix(say(check.ways_text())).strip()
+        if self.brief:  # what comes next is no more than a key away
+            if not (self.offered and check.verdict == "fail"):
+                tell(advice or say(check.lack_text(self._label)))
+            return rows
         if beyond := self._beyond(check):
             tell(say(Text("outside the validity of its formula: {methods}", methods=named(beyond))))
         if lack := check.lack_text(self._label):
             tell(say(lack))
-        if advice := say(check.to_do).removeprefix(say(check.ways_text())).strip():
+        if advice:
             tell(advice)
         if check.open and check.remedies:
             ways = Name("; ").join(remedy.words for remedy in check.remedies)

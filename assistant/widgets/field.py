@@ -28,6 +28,7 @@ from ..session.guide import DOCUMENT, NAME, NOTE, idle
 from ..session.places import Place, key_at, original_of, owner
 from ..session.session import Session
 from .entry import AUTO, Choice, Entry
+from .pane import short_of_room
 from .rows import RADIUS, FormRow, allowed, meaning
 from .text import fit, pad, wrap
 
@@ -95,8 +96,11 @@ class Field(Widget):
     def explained(self) -> tuple[str, str, str]:
         """What the foot of the form says about it."""
         locked, say = self.session.lock_reason(self.place), self.app.say
-        explanation = meaning(self.about, say)
-        text = f"{say(Text('Locked: {reason}', reason=locked))}. {explanation}".strip() if locked else explanation
+        brief = short_of_room(self)
+        explanation = meaning(self.about, say, brief=brief)
+        if locked:
+            explanation = f"{say(Text('Locked: {reason}', reason=locked))}. {'' if brief else explanation}".strip()
+        text = explanation
         if engine := self._sample():
             still = Text("Still of {engine}, with which this design began: type your own.", engine=Name(engine))
             text = f"{say(still)} {text}"

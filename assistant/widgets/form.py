@@ -27,19 +27,21 @@ from calc.sheet.text import COMMA, EMPTY, Name, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
-from ..session.guide import GUIDES, fold_at, taken_over
+from ..session.guide import FOLD, GUIDES, fold_at, taken_over
 from ..session.places import SHAFTS, Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
 from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, sides
 from .headings import ArrayHeading, Fold, ShaftsHeading, TableHeading
 from .item_list import Item, ItemList
+from .pane import short_of_room
 from .radio import Balance, Radio, Todo
-from .rows import Asked, FormRow, routed
+from .rows import ALL, Asked, FormRow, routed
 from .text import fit, wrap
 
 # --- at the head of a form
-# The question of the step, and what a good answer looks like or, where a check fails, what to try.
+# The question of the step; until it is built, or where the user wants it, what a good answer looks like or, where a
+# check fails, what to try.
 
 
 class GuideText(Static):
@@ -48,8 +50,7 @@ class GuideText(Static):
     def __init__(self, session: Session, step: str) -> None:
         super().__init__(classes="guide")
         self.session, self.step = session, step
-        self._shown: Text | None = None
-        self._guiding = True
+        self._shown: tuple[Text, bool] | None = None
 
     def on_mount(self) -> None:
         self.redraw()
@@ -59,10 +60,11 @@ class GuideText(Static):
         guide, results = GUIDES[self.step], self.session.results
         fails = results is not None and results.outcomes[self.step].verdict in ("fail", "no_solution")
         word, text = (Text("Try"), guide.trying) if fails else (Text("Good"), guide.good)
-        if word != self._shown or self.app.guiding != self._guiding:
-            self._shown, self._guiding = word, self.app.guiding
+        guiding = self.app.guiding or not asks(self.session.data, self.step)
+        if self._shown != (word, guiding):
+            self._shown = word, guiding
             question = Content.styled(say(guide.question), "bold")
-            self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if self._guiding else question)
+            self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if guiding else question)
 
 
 # --- what a step takes over from the steps before it
@@ -72,12 +74,23 @@ NUMBERS = {step.key: n for n, step in enumerate(STEPS, 1)}
 
 
 class Taken(ItemList):
-    """The key of an item is the id of the value, or of the input, that is taken over."""
+    """The key of an item is the id of the value, or of the input, that is taken over; of how many there are, where room
+    is short, FOLDED."""
+
+    FOLDED = "folded"
 
     def __init__(self, session: Session, step: str) -> None:
         super().__init__(id=f"taken-{step}")
         self.session = session
         self.step = step
+        self.unfolded = False
+
+    def choose(self, clicked: bool = False) -> None:
+        if self.key == self.FOLDED:
+            self.unfolded = True
+            self.rebuild()
+        else:
+            super().choose(clicked)
 
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
@@ -118,11 +131,10 @@ class Taken(ItemList):
             items.append(
                 Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}")
             )
-        if items:
-            items.insert(
-                0, Item("", [Content(""), Content.styled(self.app.say(Text("From earlier steps")), "bold dim")])
-            )
-        return items
+        head = Content.styled(f"{say(Text('From earlier steps'))} ({len(items)})", "bold dim")
+        if items and not self.unfolded and short_of_room(self):
+            return [Item(self.FOLDED, [Content.assemble((f"{self.app.signs.mark('folded')} ", "dim"), head)])]
+        return [Item("", [Content(""), head]), *items] if items else []
 
     def on_key(self, event: events.Key) -> None:
         """A value that another step owns is changed there."""
@@ -264,6 +276,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self._ahead: list[events.Key] = []  # struck while the form is put in order
         self._identities: dict[Widget, Identity] = {}
         self._sides = 1, 1
+        self._gathers = False
         self._parts = FormParts(step, session, self.app.say)
 
     # --- content
@@ -287,7 +300,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.opened |= {n for place in reasons if (n := self._parts.fold(place)) is not None}
         editing = [field.place] if field is not None else []
         chosen = {**self.chosen, SHAFTS: self.session.shaft}
-        return self._parts.rows(Asked(chosen, [*editing, *reasons], *self._sides), self.opened)
+        self._gathers = short_of_room(self)
+        return self._parts.rows(Asked(chosen, [*editing, *reasons], *self._sides, self._gathers), self.opened)
 
     def refresh_fields(self, reasons: dict[Place, Text]) -> None:
         """Show what the session says; a design of another shape gets a form of another shape."""
@@ -332,7 +346,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                     child.rebuild()
 
     def on_resize(self, event: events.Resize) -> None:
-        if (found := sides(event.size.width)) != self._sides:
+        if (found := sides(event.size.width)) != self._sides or self._gathers != short_of_room(self):
             self._sides = found
             self.rebuild()
 
@@ -573,7 +587,11 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     def on_fold_turned(self, event: Fold.Turned) -> None:
         event.stop()
         n = int(str(event.fold.row.place[-1]))
-        self.opened = self.opened | {n} if event.open else self.opened - {n}
+        if n == ALL:
+            self.opened.add(ALL)
+            self.rebuild((self.step.key, f"{FOLD}0"))
+            return
+        self.opened = self.opened | {n} if event.open else self.opened - {n} | {ALL}  # those beside it stay in sight
         self.refresh_fields(self.session.reasons())
 
     def on_item_list_chosen(self, event: ItemList.Chosen) -> None:

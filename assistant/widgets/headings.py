@@ -26,7 +26,7 @@ from ..session.guide import DOCUMENT, NOTE
 from ..session.places import BEARINGS, NAME, SHAFTS, content_at, original_of, twin_words, with_bearings
 from ..session.session import Session
 from .entry import LEAVING
-from .rows import FormRow, heading_help
+from .rows import ALL, FormRow, heading_help
 from .text import fit, pad
 
 TALL = 30  # rows of a screen that has room for a table of the elements
@@ -353,7 +353,7 @@ class Fold(Widget, can_focus=True):
         open: bool
 
     def __init__(self, row: FormRow, session: Session) -> None:
-        super().__init__(classes="" if row.place[-1] == "+0" else "-further")
+        super().__init__(classes="" if row.place[-1] in ("+0", f"+{ALL}") else "-further")
         self.row = row
         self.session = session
         self._looks: tuple[object, ...] = ()
@@ -367,7 +367,8 @@ class Fold(Widget, can_focus=True):
 
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
-        return str(self.row.about.label), f"{self.app.say(self.HELP)} {', '.join(self._names())}."
+        names = self.app.say(self.row.about.help) or ", ".join(self._names())
+        return str(self.row.about.label), f"{self.app.say(self.HELP)} {names}."
 
     def _title(self) -> str:
         """How many inputs lie in it, and how many of them are left to the program."""
@@ -389,9 +390,7 @@ class Fold(Widget, can_focus=True):
 
     def render(self) -> Content:
         mark = self.app.signs.mark("unfolded" if self.row.open else "folded")
-        title = f" {mark} {self._title()}"
-        rest = "" if self.row.open else fit(f": {', '.join(self._names())}", max(0, self.size.width - len(title) - 1))
-        return Content.assemble((title, "bold"), (rest, "dim"))
+        return Content.styled(fit(f" {mark} {self._title()}", self.size.width), "bold")
 
     def action_turn(self, open: bool | None = None) -> None:
         wanted = not self.row.open if open is None else open

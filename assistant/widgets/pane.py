@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """A part of the screen with a title, which says whether it has the focus."""
 
-from typing import TYPE_CHECKING
-
 from textual.containers import Vertical
 from textual.content import Content
 from textual.widget import Widget
@@ -11,8 +9,12 @@ from textual.widgets import Static
 from ..base_app import BaseApp
 from .text import fit
 
-if TYPE_CHECKING:
-    pass
+
+def short_of_room(widget: Widget) -> bool:
+    """Whether a widget shares the screen with other panes that are no wider than they must be.  It then says what
+    matters; the rest where it fills the screen, or on a very wide one."""
+    alone = any(node.has_class("-single") for node in widget.ancestors_with_self if isinstance(node, Pane))
+    return widget.screen.has_class("-wide") and not alone
 
 
 class Pane(Vertical):

@@ -26,7 +26,7 @@ RATE = 10.0  # times a second
 KEPT = 40  # drawings; a whole turn
 WAITS = Text("The picture waits for the results of the step {step}.")
 FAILED = Text("The picture of this step cannot be drawn.")
-MORE = Text("other pictures: , and . here")
+MORE = Text(", . other pictures")
 
 
 class Picture(Widget, can_focus=True):

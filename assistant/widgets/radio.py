@@ -33,8 +33,7 @@ class Radio(ItemList, inherit_bindings=False):
 
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
-        say = self.app.say
-        return say(GUIDES[self.step].question), say(Text("↑ ↓ choose, Enter takes it; undo takes it back."))
+        return "", self.app.say(Text("↑ ↓ choose, Enter takes it."))  # its question stands above it
 
     def action_take(self) -> None:
         self.choose()

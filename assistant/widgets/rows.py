@@ -17,15 +17,16 @@ from calc.design.addresses import Table, as_list, as_table, keys_of, own_keys
 from calc.design.model import Design
 from calc.engine.inputs import EngineInputs
 from calc.locale import Language
-from calc.sheet.quantity import Quantity, dotted, keys
+from calc.sheet.quantity import THUMB, Quantity, dotted, keys
 from calc.sheet.step import Step
-from calc.sheet.text import Amount, Text
+from calc.sheet.text import COMMA, Amount, Text
 
 from ..base_app import BaseApp
 from ..session.guide import (
     DOCUMENT,
     FIRST,
     FOLD,
+    MORE,
     NAME,
     NOTE,
     STROKE,
@@ -38,6 +39,8 @@ from ..session.guide import (
     of_twin,
 )
 from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described, with_bearings
+from ..session.wording import sentences, worded
+from .pane import short_of_room
 from .text import fit, wrap
 
 LAST = 99  # the rank of what stands behind all that decides
@@ -69,7 +72,7 @@ class FormRow:
 
 @dataclass(frozen=True)
 class Asked:
-    """`chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there:
+    """`gather`: folds stand behind one, until one of them is open.  `chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there:
     the one that is being edited and has just been emptied, and those in which something is not accepted.  `side`: how
     many elements fit side by side; `short`: how many inputs, where their unit has two letters at most."""
 
@@ -77,6 +80,10 @@ class Asked:
     held: Sequence[Place] = ()
     side: int = 1
     short: int = 1
+    gather: bool = False
+
+
+ALL = 99  # the number of the fold that all folds lie behind
 
 
 def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[FormRow]:
@@ -100,7 +107,18 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
                 FormRow("fold", (step.key, f"{FOLD}{n}"), Quantity("table", title), inside=inside, open=n in opened)
             )
             ordered += inside if n in opened else []
-    return [*ordered, *_document(data, asked, opened)] if step.key == FIRST else ordered
+    ordered += _document(data, asked, opened) if step.key == FIRST else []
+    return ordered if opened or not asked.gather else _gathered(step.key, ordered)
+
+
+def _gathered(step: str, rows: list[FormRow]) -> list[FormRow]:
+    """Rows with all their folds, which are shut, behind one."""
+    shut = [row for row in rows if row.kind == "fold"]
+    if len(shut) < 2:
+        return rows
+    about = Quantity("table", MORE, help=COMMA.join([row.about.label for row in shut]))
+    inside = tuple([inner for row in shut for inner in row.inside])
+    return [*(row for row in rows if row.kind != "fold"), FormRow("fold", (step, f"{FOLD}{ALL}"), about, inside=inside)]
 
 
 def _rank(row: FormRow, step: str, data: Table) -> int:
@@ -276,9 +294,12 @@ def _titled(about: Quantity, bearing: object) -> Quantity:
 # What the field that has the focus means, and what is usual there.
 
 
-def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:
-    """What a quantity means and what is usual; `sourced`: with the source in brackets, behind the usual range or else
-    the meaning."""
+def meaning(about: Quantity, say: Language, *, sourced: bool = True, brief: bool = False) -> str:
+    """What a quantity means and what is usual, `brief`: in two sentences at most, without the source.
+
+    `sourced`: with the source in brackets, behind the usual range or else
+    the meaning, but that there is none: of what is usual F1 says so."""
+    sourced = sourced and not brief and about.source is not THUMB
     source = f" ({say(about.source)})" if sourced and about.source else ""
     words, usual = say(about.help), ""
     if about.usual:
@@ -286,7 +307,8 @@ def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:
         usual = f"{say(Text('Usual {low} to {high}', low=Amount(low), high=Amount(high, about.unit)))}{source}."
     elif words and source:
         words = f"{words.removesuffix('.')}{source}."
-    return " ".join(part for part in (words, usual) if part)
+    first, *others = sentences(words) or [""]
+    return " ".join(part for part in (first, usual, *([] if brief else others)) if part)
 
 
 def allowed(about: Quantity, say: Language) -> str:
@@ -301,12 +323,16 @@ def heading_help(about: Quantity, keys: Text, reason: Text, app: BaseApp) -> tup
     return about.label, f"{app.signs.mark('invalid')} {app.say(reason)}. {text}" if reason else text
 
 
-def foot(words: str, rest: str, more: str, width: int, height: int) -> list[str]:
-    """What is said in so many rows; `rest` behind it where all of it has room, `more` where the last row has."""
+def foot(parts: Sequence[str], more: str, width: int, height: int) -> list[str]:
+    """As many whole sentences as go into so many rows, those that do not left out; `more` where the last row has room
+    for it."""
+    words = ""
+    for part in parts:
+        longer = f"{words} {part}".strip()
+        if not words or len(wrap(longer, width)) <= height:
+            words = longer
     rows = wrap(words, width)
-    if rest and len(longer := wrap(f"{words} {rest}", width)) <= height:
-        rows = longer
-    if len(rows) > height:
+    if len(rows) > height:  # the first alone is too long
         rows = rows[:height]
         rows[-1] = fit(rows[-1] + " …", width - len(more))
     if len(rows[-1]) + len(more) <= width:
@@ -325,16 +351,21 @@ class FieldHelp(Widget):
         self.moves = ""
 
     def show(self, title: str, text: str, rest: str = "", moves: str = "") -> None:
-        """`moves`, what the field moves, stands behind what it means and what is usual; `rest` where there is room for
-        all of it."""
+        """What a field means and what is usual, then what it `moves`, then what else there is to say, and the `rest`:
+        as far as there is room.  Where it is short, the title only if nothing else is said: the cursor stands
+        there."""
         self.title, self.text, self.rest, self.moves = title, text, rest, moves
         self.refresh()
 
     def render(self) -> Content:
-        if not self.title:
+        if not self.title and not self.text:
             return Content("")
-        words = ": ".join(filter(None, (self.title, " ".join(filter(None, (self.text, self.moves))))))
-        rows = foot(
-            words, self.rest, f"  {self.app.say(Text('F1 more'))}", max(10, self.size.width - 2), self.size.height
-        )
+        short = short_of_room(self)
+        told = sentences(worded(self.text, self.app.say))
+        if self.title and not (short and told):
+            told = [f"{self.title}: {told[0]}" if told else self.title, *told[1:]]
+        rest = "" if short else self.rest
+        parts = [part for part in (*told[:2], self.moves, *told[2:], rest) if part]
+        more = f"  {self.app.say(Text('F1 more'))}" if self.title else ""
+        rows = foot(parts, more, max(10, self.size.width - 2), self.size.height)
         return Content.styled("\n".join(" " + row for row in rows), "dim")

@@ -4,6 +4,7 @@
 Sign, number and title, the state in words, the value that decides with its bar; at the end, whether all is ready."""
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from textual.content import Content
 from textual.style import Style
@@ -22,7 +23,11 @@ from .item_list import Item, ItemList
 from .signs import Signs
 from .text import bar, fit, wrap
 
+if TYPE_CHECKING:
+    from calc.studies.headlines import Headline
+
 READY = "ready"  # the key of the row behind the steps
+QUIET = ("pass", "computed")  # states that their sign says
 INDENT = "  "
 
 
@@ -92,7 +97,7 @@ class Steps(ItemList):
         gap = " " * max(1, width - 2 - len(title) - len(end) - 1)
         style = signs.style(state.colour)
         loud = "dim" if state.colour in ("pass", "computed") else style
-        words = wrap(say(state.words), room)
+        words = wrap(say(open_), room) if state.colour not in QUIET and (open_ := self._open(state)) else []
         if state.state not in SOLVED:  # a reason, which is told in full elsewhere
             words = [fit(say(state.words), room)]
         rows = [
@@ -101,13 +106,7 @@ class Steps(ItemList):
             ),
             *(Content.assemble(INDENT, (row, loud)) for row in words),
         ]
-        results = self.session.results
-        shown = None
-        if results is not None and state.state in SOLVED:
-            from calc.studies.headlines import headline  # with numpy
-
-            shown = headline(results, state.key)
-        if shown is not None:
+        if (shown := self._headline(state)) is not None:
             long, brief = (say(text).replace("→", signs.mark("then")) for text in (shown.text, shown.brief))
             rows.append(Content(f"{INDENT}{long if len(long) <= room else fit(brief, room)}"))
             if shown.share is not None and shown.check is not None:
@@ -118,6 +117,25 @@ class Steps(ItemList):
                     )
                 )
         return rows
+
+    def _open(self, state: StepState) -> Text:
+        """The worst that is open in a step, by its number: what else is, its findings say.  Nothing where that is the
+        one that its headline names."""
+        results = self.session.results
+        if results is None or state.state not in SOLVED or not (open_ := results.outcomes[state.key].counts.words):
+            return state.words
+        shown = self._headline(state)
+        named = shown is not None and shown.check is not None and shown.check.verdict == state.state == "not_verified"
+        (_, words), count = open_[0], results.outcomes[state.key].counts.not_verified
+        return EMPTY if named and count == 1 else words
+
+    def _headline(self, state: StepState) -> "Headline | None":
+        results = self.session.results
+        if results is None or state.state not in SOLVED:
+            return None
+        from calc.studies.headlines import headline  # with numpy
+
+        return headline(results, state.key)
 
     def _ready(self, width: int) -> list[Content]:
         """The last row: whether all is done, or what is left."""
