@@ -431,8 +431,8 @@ class WorkbenchResults(WorkbenchPanes):
         self.checks.show(outcome)
         if outcome is not None:
             findings = open_findings(outcome.checks)
-            several = any(len(group) > 1 for group in findings)  # else the verdict says how many
-            self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if several else "")
+            told = self.app.say(findings_of(findings)) if findings and not self.has_class("-wide") else ""
+            self.pane_named("checks").set_title(right=told)  # where room is short, the verdict says how many
         self.refresh_top_line()  # the last line of the screen follows: what lies between two lines is painted with them
 
     def show_state(self) -> None:

@@ -2,6 +2,7 @@
 """The findings of a step: those of one cause in a row, the worst first; what is under the cursor is told in full; what
 holds is folded."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
@@ -16,7 +17,7 @@ from calc.sheet.check import Check
 from calc.sheet.number import short
 from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
-from calc.sheet.verdict import named, open_findings, severity
+from calc.sheet.verdict import TITLES, named, open_findings, severity
 
 from ..session.places import label_of
 from ..session.wording import worded
@@ -28,9 +29,13 @@ VALUE, LIMIT, MARGIN = Text("Value"), Text("Limit"), Text("Margin")
 GAP = 2  # cells between columns
 SIGN = 2  # cells of the sign before a name
 NAMES = 26  # cells of a name at least, beside columns of numbers
+SOUGHT = "+"  # before the cause of a finding that somebody went to: it is named where others are counted
 ADVICE, METHOD, HOLD = "advice", "method", "hold"  # the keys of the rows that fold
 ADVISED = plural("{n} piece of advice", "{n} pieces of advice", n=0)
 OF_METHOD = plural("{n} on the method", "{n} on the method", n=0)
+NOTES = plural("{n} note", "{n} notes", n=0)
+CAUTIONS = plural("{n} caution", "{n} cautions", n=0)
+NOT_VERIFIED = plural("{n} not verified", "{n} not verified", n=0)
 HOLDING = plural("{n} holds", "{n} hold", n=0)
 
 
@@ -47,6 +52,7 @@ class CheckRow:
     check: Check | None = None
     others: int = 0
     inside: bool = False  # of a group, below its worst
+    counted: bool = False  # with all of its verdict, by their number
     head: Content | None = None
 
 
@@ -150,9 +156,11 @@ class Checks(ItemList):
 
     # --- folding
     def go_to(self, key: str, *, top: bool = False) -> bool:
-        if (check := self._by_id(key)) is not None and self.items and all(item.key != key for item in self.items):
-            self.unfolded |= {fold_of(check)}
-            self.rebuild()
+        if (check := self._by_id(key)) is not None and self.items:
+            for fold in (f"{SOUGHT}{cause(check)}", fold_of(check)):
+                if all(item.key != key for item in self.items):
+                    self.unfolded |= {fold}
+                    self.rebuild()
         return super().go_to(key, top=top)
 
     def action_unfold(self, unfold: bool) -> None:
@@ -197,6 +205,10 @@ class Checks(ItemList):
         accepted = [CheckRow(check.id, check) for check in checks if check.verdict == "accepted"]
         rows = [*self._finding_rows(self.outcome), *accepted, CheckRow("", head=Content(""))]
         open_ones = [check for check in sorted_checks(checks) if check.open]
+        notes = [check for check in open_ones if check.kind in (ADVICE, METHOD)]
+        if self.brief and self.unfolded.isdisjoint((ADVICE, METHOD)):
+            rows += self._folding_rows(ADVICE, notes, NOTES)
+            return rows + self._folding_rows(HOLD, [check for check in checks if check.verdict == "pass"], HOLDING)
         rows += self._folding_rows(ADVICE, [check for check in open_ones if check.kind == "advice"], ADVISED)
         rows += self._folding_rows(METHOD, [check for check in open_ones if check.kind == "method"], OF_METHOD)
         rows += self._folding_rows(HOLD, [check for check in checks if check.verdict == "pass"], HOLDING)
@@ -207,6 +219,26 @@ class Checks(ItemList):
         groups = open_findings(outcome.checks)
         if not groups:
             return []
+        if self.brief:
+            named = [group for group in groups if group[0].verdict == groups[0][0].verdict or self._seen(group)]
+            further = [check for group in groups if group not in named for check in group]
+            return [*self._named_rows(named), *self._counted_rows(further)]
+        return self._named_rows(groups)
+
+    def _seen(self, group: Sequence[Check]) -> bool:
+        """Whether somebody has gone to a finding, or unfolded its group."""
+        return not self.unfolded.isdisjoint((cause(group[0]), f"{SOUGHT}{cause(group[0])}"))
+
+    def _counted_rows(self, checks: Sequence[Check]) -> list[CheckRow]:
+        """How many there are of each verdict, with the worst margin, before anybody looks at them."""
+        rows = []
+        for verdict in dict.fromkeys(check.verdict for check in checks):
+            alike = [check for check in checks if check.verdict == verdict]
+            worst = min(alike, key=severity)
+            rows.append(CheckRow(worst.id, worst, len(alike) - 1, counted=True))
+        return rows
+
+    def _named_rows(self, groups: Sequence[Sequence[Check]]) -> list[CheckRow]:
         rows: list[CheckRow] = []
         for worst, *others in groups:
             unfolded = cause(worst) in self.unfolded
@@ -232,7 +264,7 @@ class Checks(ItemList):
             return []
         if not outcome.checks:
             texts = {
-                "not_asked": Text("Nothing is judged here: this step is not built yet."),
+                "not_asked": Text("not built yet"),
                 "solved": Text("This step has no limits of its own."),
             }
             text = say(texts[outcome.state]) if outcome.state in texts else outcome.reason
@@ -245,7 +277,8 @@ class Checks(ItemList):
             [Item("", [Content(row) for row in wrap(say(outcome.reason), max(1, width))])] if outcome.reason else []
         )
         signs = self.app.signs
-        verdict = wrap(f"{signs.mark(outcome.verdict)} {say(outcome.words())}", max(1, width), SIGN)
+        words = TITLES[outcome.verdict] if self.brief and outcome.verdict in TITLES else outcome.words()
+        verdict = wrap(f"{signs.mark(outcome.verdict)} {say(words)}", max(1, width), SIGN)
         items = [*reasons, Item("", [Content.styled(row, signs.style(outcome.colour)) for row in verdict])]
         items += [Item("", [self._head(columns)])] if columns.numbers else []
         for row in rows:
@@ -287,6 +320,11 @@ class Checks(ItemList):
         title = say(row.check.name)
         if row.check.verdict == "accepted":
             return say(Text("{check}: accepted, {reason}", check=Name(title), reason=row.check.accepted))
+        if row.counted and row.others:
+            words = NOT_VERIFIED if row.check.verdict == "not_verified" else CAUTIONS
+            return f"{say(plural(words.one, words.template, n=row.others + 1))} {self.app.signs.mark('folded')}"
+        if row.others and self.brief:
+            return f"{title} (×{row.others + 1})"
         if row.others:
             return say(Text("{name} ({n} checks)", name=Name(title), n=row.others + 1))
         return f"  {title}" if row.inside else title
@@ -326,7 +364,7 @@ class Checks(ItemList):
         first: list[Content | tuple[str, str] | str] = [indent, say(held if ratio is not None else against)]
         if ratio is not None:
             first += ["  ", bar(ratio, signs, style), "  ", (say(check.margin_text()), style)]
-        rows = [Content.assemble(*first)]
+        rows = [] if math.isnan(check.value) else [Content.assemble(*first)]
 
         def tell(words: str, style: str = "") -> None:
             rows.extend(Content.styled(indent + row, style) for row in wrap(worded(words, say), room) if row)

@@ -269,7 +269,9 @@ class Field(Widget):
         if self.cell:
             return [""], []
         # a blank before it and one behind
-        label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2)
+        label = wrap(self.about.label, room := (LABEL_NARROW if width >= NARROW else LABEL) - 2)
+        if len(label) > 1 and (brief := self.app.say(self.about.brief)):
+            label = wrap(f"{brief[:1].upper()}{brief[1:]}", room)
         mark = self.app.signs.mark("invalid")
         return label, wrap(f"{mark} {self.app.say(self.reason)}", width - 3, 2) if self.reason else []
 

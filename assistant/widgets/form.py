@@ -36,7 +36,7 @@ from .headings import ArrayHeading, Fold, ShaftsHeading, TableHeading
 from .item_list import Item, ItemList
 from .pane import short_of_room
 from .radio import Balance, Radio, Todo
-from .rows import ALL, Asked, FormRow, routed
+from .rows import ALL, EARLIER, Asked, FormRow, routed
 from .text import fit, wrap
 
 # --- at the head of a form
@@ -74,28 +74,17 @@ NUMBERS = {step.key: n for n, step in enumerate(STEPS, 1)}
 
 
 class Taken(ItemList):
-    """The key of an item is the id of the value, or of the input, that is taken over; of how many there are, where room
-    is short, FOLDED."""
-
-    FOLDED = "folded"
+    """The key of an item is the id of the value, or of the input, that is taken over."""
 
     def __init__(self, session: Session, step: str) -> None:
         super().__init__(id=f"taken-{step}")
         self.session = session
         self.step = step
-        self.unfolded = False
-
-    def choose(self, clicked: bool = False) -> None:
-        if self.key == self.FOLDED:
-            self.unfolded = True
-            self.rebuild()
-        else:
-            super().choose(clicked)
 
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
         say = self.app.say
-        return say(Text("From earlier steps")), say(
+        return say(EARLIER), say(
             Text("Enter, or typing a number, goes to the step that owns the value.")
         )
 
@@ -131,10 +120,11 @@ class Taken(ItemList):
             items.append(
                 Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}")
             )
-        head = Content.styled(f"{say(Text('From earlier steps'))} ({len(items)})", "bold dim")
-        if items and not self.unfolded and short_of_room(self):
-            return [Item(self.FOLDED, [Content.assemble((f"{self.app.signs.mark('folded')} ", "dim"), head)])]
-        return [Item("", [Content(""), head]), *items] if items else []
+        if items:
+            items.insert(
+                0, Item("", [Content(""), Content.styled(self.app.say(EARLIER), "bold dim")])
+            )
+        return items
 
     def on_key(self, event: events.Key) -> None:
         """A value that another step owns is changed there."""
@@ -170,7 +160,8 @@ class FormParts:
             parts.append((("todo",), lambda: Todo(session, key)))
         if self.there:
             parts += [(identity(row), partial(self._widget, row)) for row in rows]
-            parts.append((("taken",), lambda: Taken(session, key)))
+            if all(row.place[-1] != f"{FOLD}{ALL}" for row in rows):  # behind which it lies too
+                parts.append((("taken",), lambda: Taken(session, key)))
         return parts
 
     def rows(self, asked: Asked, opened: set[int]) -> list[FormRow]:

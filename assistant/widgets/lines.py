@@ -24,7 +24,7 @@ from ..session.guide import step_of, title_of
 from ..session.places import Place, label_of, named_key
 from ..session.session import Session
 from ..session.wording import worded
-from .steps import nothing_left, ready_words, states_of, verdict_of, whole_of
+from .steps import nothing_left, ready_words, states_of, verdict_of, whole_of, worst_words
 from .text import fit, wrap
 
 if TYPE_CHECKING:
@@ -164,8 +164,10 @@ class MessageLine(Widget):
         signs, width = self.app.signs, max(10, self.size.width - 4)
         state, text = self.message(brief=self.beside)
         offer = self.offer(width) if state != "invalid" else ""
-        if self.beside and offer and self.trouble == self.step and self._stands_beside():
-            text, offer = offer, ""
+        if self.beside and offer:
+            state, text, offer = "fail", offer, ""
+        elif self.beside and self._stands_beside():
+            state, text = "todo", self.app.say(_ahead(states_of(self.session), self.session.data))
         title = self._title(self.trouble)
         offer = offer.removeprefix(title) if text.startswith(title) else offer
         room = ROWS - bool(offer)
@@ -174,7 +176,7 @@ class MessageLine(Widget):
         rows = wrap(text, width)
         if len(rows) > room:
             rows = [*rows[: room - 1], fit(" ".join(rows[room - 1 :]), width)]
-        lines = [f" {signs.mark(state)} {rows[0]}", *(f"   {row}" for row in rows[1:])]
+        lines = [f" {signs.mark(state)} {rows[0]}" if text else "", *(f"   {row}" for row in rows[1:])]
         told = Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)
         return Content.assemble(told, f"\n   {offer}") if offer else told
 
@@ -234,9 +236,9 @@ class TopLine(Widget):
         _, colour, words = verdict_of(self.session)
         if not words:
             return []
-        verdict = say(words), dim + signs.style(colour)
         if self.screen.has_class("-wide"):  # the list of the steps says the rest
-            return [verdict]
+            return [(say(worst_words(self.session)), dim + signs.style(colour))]
+        verdict = say(words), dim + signs.style(colour)
         ready = say(Text("ready")), dim + signs.style(all_of_it.state)
         return [verdict, ready if all_of_it.ready else (say(all_of_it.words), "dim")]
 
@@ -273,8 +275,7 @@ class TopLine(Widget):
                 break
         room = max(8, width - end.cell_length - 1 - before)
         start = Content.assemble(
-            ("" if short else " Contralbero   "),
-            " " if short else "",
+            " ",
             (fit(session.name, room), "bold"),
             f" {state}" if state else "",
         )

@@ -137,7 +137,9 @@ def sketch_of(
     if not step or design is None:
         return EMPTY
     outcome = results.outcomes.get(step) if results is not None else None
-    if getattr(design, step) is None or outcome is None or outcome.result is None:
+    if getattr(design, step) is None:
+        return EMPTY  # it is not built yet, as the form says
+    if outcome is None or outcome.result is None:
         return Text(WAITS.template, step=TITLES[step])
     make: Callable[..., Sketch] = import_module(f"calc.{step}.sketch").sketch
     sketch = make(design, results)

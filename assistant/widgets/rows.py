@@ -19,7 +19,7 @@ from calc.engine.inputs import EngineInputs
 from calc.locale import Language
 from calc.sheet.quantity import THUMB, Quantity, dotted, keys
 from calc.sheet.step import Step
-from calc.sheet.text import COMMA, Amount, Text
+from calc.sheet.text import COMMA, Amount, Small, Text
 
 from ..base_app import BaseApp
 from ..session.guide import (
@@ -83,7 +83,8 @@ class Asked:
     gather: bool = False
 
 
-ALL = 99  # the number of the fold that all folds lie behind
+ALL = 99  # the number of the fold that all folds lie behind, and what is taken over
+EARLIER = Text("From earlier steps")
 
 
 def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[FormRow]:
@@ -116,7 +117,8 @@ def _gathered(step: str, rows: list[FormRow]) -> list[FormRow]:
     shut = [row for row in rows if row.kind == "fold"]
     if len(shut) < 2:
         return rows
-    about = Quantity("table", MORE, help=COMMA.join([row.about.label for row in shut]))
+    parts = [*(row.about.label for row in shut), *([Small(EARLIER)] if step != FIRST else [])]
+    about = Quantity("table", MORE, help=COMMA.join(parts))
     inside = tuple([inner for row in shut for inner in row.inside])
     return [*(row for row in rows if row.kind != "fold"), FormRow("fold", (step, f"{FOLD}{ALL}"), about, inside=inside)]
 
@@ -366,6 +368,6 @@ class FieldHelp(Widget):
             told = [f"{self.title}: {told[0]}" if told else self.title, *told[1:]]
         rest = "" if short else self.rest
         parts = [part for part in (*told[:2], self.moves, *told[2:], rest) if part]
-        more = f"  {self.app.say(Text('F1 more'))}" if self.title else ""
+        more = f"  {self.app.say(Text('F1 more'))}" if self.title and not short else ""
         rows = foot(parts, more, max(10, self.size.width - 2), self.size.height)
         return Content.styled("\n".join(" " + row for row in rows), "dim")

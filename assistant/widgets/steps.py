@@ -12,6 +12,7 @@ from textual.widget import Widget
 
 from calc.design.model import STEPS
 from calc.sheet.text import EMPTY, SEMICOLON, Text
+from calc.sheet.verdict import TITLES
 from calc.studies.ready import SOLVED, Readiness, StepState, readiness, whole
 
 from ..actions import BY_ID
@@ -53,6 +54,16 @@ def verdict_of(session: Session) -> tuple[str, str, Text]:
     if (results := session.results) is None:
         return "waits", "waits", EMPTY
     return results.verdict, results.colour, results.words()
+
+
+def worst_words(session: Session) -> Text:
+    """`FAIL: 2 failed`: the state and the worst that is open; what else is, its steps and Ready say."""
+    state, _, words = verdict_of(session)
+    results = session.results
+    lost = results is None or any(o.state in ("blocked", "no_solution") for o in results.outcomes.values())
+    if results is None or lost or state not in TITLES or len(results.counts.words) < 2:
+        return words
+    return Text("{state}: {open}", state=TITLES[state], open=results.counts.words[0][1])
 
 
 def ready_words(session: Session) -> Text:
