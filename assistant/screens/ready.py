@@ -3,7 +3,7 @@
 out by whom, and what is assumed, accepted and not verified."""
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -40,7 +40,7 @@ from .workbench_panes import WorkbenchPanes
 REPORT, EXPORT, DRIVE, PALETTE = "report", "export", "drive", "palette"
 SAVE = BY_ID["save"]
 PICTURE = (90, 14)  # cells of the picture at most
-ASSUMED, NOT_COUNTED = "assumed", "not_counted"  # what is folded
+ASSUMED, NOT_COUNTED, HELD, STRETCHED = FOLDED = "assumed", "not_counted", "held", "stretched"  # what is folded
 
 
 class Closing(ItemList):
@@ -52,7 +52,7 @@ class Closing(ItemList):
         self.unfolded: set[str] = set()
 
     def choose(self, clicked: bool = False) -> None:
-        if self.key in (ASSUMED, NOT_COUNTED):
+        if self.key in FOLDED:
             self.unfolded ^= {self.key}
             self.rebuild()
         else:
@@ -170,14 +170,16 @@ class Closing(ItemList):
         held = [check for check in checks if check.verdict == "pass"]
         taken = Counter(what for check in held for what in check.taken)
         holding = [("", plural("{what}: {n} check", "{what}: {n} checks", n=n, what=what)) for what, n in taken.items()]
-        yield self._part(Text("holds by what is assumed ({n})", n=len(holding)), holding, width)
+        title = Text("holds by what is assumed ({n})", n=len(holding))
+        yield self._folded(HELD, title, holding, width)
         # how many hold by a formula that it puts out of its range
         beyond = Counter(method for check in held for method in outside(check, checks))
         stretched = [
             (method.id, plural("{what}: {n} check", "{what}: {n} checks", n=n, what=method.name))
             for method, n in beyond.items()
         ]
-        yield self._part(Text("holds outside the validity of a formula ({n})", n=len(stretched)), stretched, width)
+        title = Text("holds outside the validity of a formula ({n})", n=len(stretched))
+        yield self._folded(STRETCHED, title, stretched, width)
         odd = [(session.design.step_of(oddity.key), oddity.words) for oddity in unusual(session.design, checks=checks)]
         yield self._part(Text("not usual ({n})", n=len(odd)), odd, width)
         values = session.values()
@@ -194,17 +196,19 @@ class Closing(ItemList):
         ]
         yield self._part(Text("measured ({n})", n=len(measured)), measured, width)
         notes = [note for outcome in outcomes if outcome.state == "solved" for note in outcome.notes]
-        yield self._folded(ASSUMED, Text("assumed ({n})", n=len(notes)), notes, width)
+        yield self._folded(ASSUMED, Text("assumed ({n})", n=len(notes)), [("", note) for note in notes], width)
         uncounted = not_counted(session.design)
-        yield self._folded(NOT_COUNTED, Text("not counted ({n})", n=len(uncounted)), uncounted, width)
+        yield self._folded(
+            NOT_COUNTED, Text("not counted ({n})", n=len(uncounted)), [("", text) for text in uncounted], width
+        )
 
-    def _folded(self, key: str, title: Text, texts: Sequence[Text], width: int) -> list[Item]:
-        if not texts:
+    def _folded(self, key: str, title: Text, rows: list[tuple[str, Text]], width: int) -> list[Item]:
+        if not rows:
             return []
-        say, unfolded = self.app.say, key in self.unfolded
-        head = Content.styled(f"{say(title)} {self.app.signs.mark('unfolded' if unfolded else 'folded')}", "bold")
-        rows = [Content(lead + row) for text in texts if unfolded for lead, row in _bulleted(say(text), width)]
-        return [Item(key, [head]), *([Item("", rows)] if rows else [])]
+        unfolded = key in self.unfolded
+        mark = self.app.signs.mark("unfolded" if unfolded else "folded")
+        head = Content.styled(f"{self.app.say(title)} {mark}", "bold")
+        return [Item(key, [head]), *(self._part(title, rows, width)[1:] if unfolded else [])]
 
     def _lack(self, check: Check, names: Mapping[str, Text]) -> Text:
         """What is not given, and which checks of the method put it outside the validity of its formula."""

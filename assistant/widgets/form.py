@@ -84,9 +84,7 @@ class Taken(ItemList):
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
         say = self.app.say
-        return say(EARLIER), say(
-            Text("Enter, or typing a number, goes to the step that owns the value.")
-        )
+        return say(EARLIER), say(Text("Enter, or typing a number, goes to the step that owns the value."))
 
     def build(self, width: int) -> list[Item]:
         items = []
@@ -121,9 +119,7 @@ class Taken(ItemList):
                 Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}")
             )
         if items:
-            items.insert(
-                0, Item("", [Content(""), Content.styled(self.app.say(EARLIER), "bold dim")])
-            )
+            items.insert(0, Item("", [Content(""), Content.styled(self.app.say(EARLIER), "bold dim")]))
         return items
 
     def on_key(self, event: events.Key) -> None:

@@ -26,6 +26,7 @@ from ..session.guide import DOCUMENT, NOTE
 from ..session.places import BEARINGS, NAME, SHAFTS, content_at, original_of, twin_words, with_bearings
 from ..session.session import Session
 from .entry import LEAVING
+from .pane import short_of_room
 from .rows import ALL, FormRow, heading_help
 from .text import fit, pad
 
@@ -115,8 +116,10 @@ class ArrayHeading(Widget, can_focus=True):
             for key, about in known.items()
             if not about.optional and about.kind not in ("table", "tables") and key != "name"
         ]
-        if not (items := self.items()) or not columns:
-            return []
+        items = self.items()
+        words_alone = all(isinstance(item.get(key), str) for item in items for key in columns)
+        if not items or not columns or (words_alone and short_of_room(self)):
+            return []  # of words alone those of the element in view are in the heading
         labels = [f"{self.app.say(known[key].label)} {known[key].unit}".rstrip() for key in columns]
         return [
             ("", *labels),
@@ -161,7 +164,8 @@ class ArrayHeading(Widget, can_focus=True):
         if shown is None or shown >= len(names):
             middle: list[Content | str | tuple[str, str]] = [(f"  {len(names)}", "dim")]
         else:
-            name = f" {names[shown]}" if names[shown] != str(shown + 1) else ""
+            name = self._called(shown)
+            name = f" {name}" if name else ""
             text = f" {self.app.say(Text('{n} of {count}', n=shown + 1, count=len(names)))}{name} "
             middle = [
                 "  ",
@@ -177,6 +181,12 @@ class ArrayHeading(Widget, can_focus=True):
         left = Content.assemble((" " + title, signs.style("invalid") if self.reason else "bold"), *middle)
         gap = max(1, self.size.width - left.cell_length - Content.assemble(*buttons).cell_length - 1)
         return Content("\n").join([Content.assemble(left, " " * gap, *buttons), *self._table()])
+
+    def _called(self, n: int) -> str:
+        """An element by its name, else by the words in it: `crank–central`."""
+        element = self._elements()[n]
+        name, dash = element.get("name"), "-" if self.app.signs.ascii else "–"
+        return str(name or dash.join(word for word in element.values() if isinstance(word, str)))
 
     def _link(self, text: str, action: str) -> Content:
         return self._clicked(Content.styled(text, "bold" if self.has_focus else "dim"), action)

@@ -15,7 +15,7 @@ from calc.design.key_results import judged
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.step import Outcome
-from calc.sheet.text import COMMA, EMPTY, Amount, Text
+from calc.sheet.text import EMPTY, Amount, Name, Text
 from calc.studies.ready import StepState
 
 from ..actions import ACTIONS, BY_ID, Action
@@ -145,19 +145,20 @@ class MessageLine(Widget):
         where = "" if self.trouble == self.step else self._title(self.trouble)
         least = where + say(Text("{key} shows what would help", key=key))
         then = self.app.signs.mark("then")
-        for words in self._shorter(self.remedy):
+        for words in self._shorter(self.remedy, whole=not where):
             longest = where + say(Text("{key}: {change}", key=key, change=words)).replace("→", then)
             if len(longest) <= width:
                 return longest
         return least
 
-    def _shorter(self, remedy: "NearestRemedy") -> Iterator[Text]:
-        """What a remedy changes, and what the step then is; shorter and shorter."""
-        parts = remedy.each
+    def _shorter(self, remedy: "NearestRemedy", whole: bool) -> Iterator[Text]:
+        """What a remedy changes, and, `whole`, what the step then is; shorter and shorter."""
+        parts = not_repeated([self.app.say(words) for words in remedy.each])
         for count in range(len(parts), 0, -1):
-            words, more = COMMA.join(parts[:count]), len(parts) - count
+            words, more = Name(", ".join(parts[:count])), len(parts) - count
             words = Text("{changes}, and {n} more", changes=words, n=more) if more else words
-            yield Text("{changes} → {state}", changes=words, state=remedy.said)
+            if whole:
+                yield Text("{changes} → {state}", changes=words, state=remedy.said)
             yield words
 
     def render(self) -> Content:
@@ -187,6 +188,18 @@ class MessageLine(Widget):
             return False
         checks = results.outcomes[self.step].checks
         return bool(self.finding) or any(check.verdict in URGENT for check in checks)
+
+
+def not_repeated(changes: Sequence[str]) -> list[str]:
+    """`span allowance of central 2 → 3 µm`, `idler 4 → 5 µm`: of each the words with which the one before it began are
+    left out, up to what tells them apart."""
+    shorter = list(changes[:1])
+    for before, change in zip(changes, changes[1:]):
+        words, olds = change.split(" "), before.split(" ")
+        same = next((n for n, (word, old) in enumerate(zip(words, olds)) if word != old), 0)
+        told = " ".join(words[same:])
+        shorter.append(told if told[:1].isalpha() else change)
+    return shorter
 
 
 def _ahead(states: Sequence[StepState], data: Table) -> Text:
@@ -287,8 +300,8 @@ class TopLine(Widget):
 
 # What goes first where there is not room for all, after what does nothing here.  F4 leads to the curve, and narrow to
 # every pane.
-SPARED = ("pane", "back", "variant", "curve", "choose", "trouble")
-ALWAYS = 2  # of these, on a wide screen, where both panes and steps stand in sight
+SPARED = ("pane", "back", "quit", "variant", "curve", "choose", "trouble")
+ALWAYS = 3  # of these, on a wide screen, where panes and steps stand in sight
 SPARED_NARROW = (
     "variant",
     "choose",
