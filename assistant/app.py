@@ -69,6 +69,8 @@ class ContralberoApp(BaseApp):
         settings = settings or Settings()
         super().__init__(session, ascii=ascii, key_map=key_map, settings=settings, memory=memory)
         self.missing = missing
+        if session is not None:
+            session.decimal = self.say.decimal
         if settings.theme in self.available_themes:
             self.theme = settings.theme
         self._theme_kept = self.theme
@@ -134,6 +136,8 @@ class ContralberoApp(BaseApp):
     async def speak(self, code: str) -> None:
         """Go on in another language."""
         self.say = language(code)
+        if self._session is not None:
+            self._session.decimal = self.say.decimal
         self.memory.set_setting("language", code)
         self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
         for screen in self.screen_stack:
@@ -147,6 +151,7 @@ class ContralberoApp(BaseApp):
     async def enter(self, session: Session) -> None:
         """Go on with a design, or with another one; unsaved edits of this one are kept aside."""
         before, self._session = self._session, session
+        session.decimal = self.say.decimal
         if before is not None:
             before.autosave()
             before.leave()

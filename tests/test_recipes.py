@@ -275,7 +275,7 @@ def test_a_figure(recipe: Performed) -> None:
     figure = recipe("a figure", "friction")
     figure.insert(
         "curves.py",
-        "    return bars, *of_meshes, _shear(d)\n",
+        "    return bars, *of_meshes, *((_shear(d),) if d.cases else ())\n",
         '    way = Series(Text("way"), np.array([0.0, 1.0]), np.array([0.0, 2.0]))\n'
         '    trial = Curve("trial", Text("A trial of a figure"), axis_label("x", "mm"), axis_label("y", "W"), (way,))\n'
         "    of_meshes = (*of_meshes, trial)\n",
@@ -288,7 +288,7 @@ def test_a_figure(recipe: Performed) -> None:
 def test_a_translation(recipe: Performed) -> None:
     """A sentence of the program that is worded anew: English is enough, then it gets its Italian."""
     translation = recipe("a translation")
-    source = translation.copy / "calc" / "bearings" / "notes.py"
+    source = translation.copy / "calc" / "bearings" / "plain" / "notes.py"
     old, new = "is taken as given at {reference} and judged", "is a trial at {reference} and judged"
     text = source.read_text(encoding="utf-8")
     assert old in text

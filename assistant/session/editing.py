@@ -160,6 +160,7 @@ class Editing:
         self.history = History(EditState(self.document.data, {}))
         self._valid: Table = self.document.data  # the last tables that were a valid design
         self.recording: Recording | None = None  # follows the edits, if it was asked for
+        self.decimal = "."  # sign of the user's language
         self.typed = set[Place]()  # where something was typed since the design was opened
 
     # --- what is shown
@@ -191,7 +192,7 @@ class Editing:
         where = self.place(key)
         if where in self._state.texts:
             return self._state.texts[where][0]
-        return numbers.written(self.value(where), described(where))
+        return numbers.written(self.value(where), described(where), self.decimal)
 
     def reason(self, key: str | Place) -> Text:
         """Why this field is not accepted; empty where it is."""

@@ -372,8 +372,8 @@ def _unit(word: str, known: dict[str, Any]) -> str | None:
     return same[0] if len(same) == 1 else None
 
 
-def written(content: Any, about: Quantity) -> str:
-    """A value of the design file as it stands in its field."""
+def written(content: Any, about: Quantity, decimal: str = ".") -> str:
+    """A value of the design file as it stands in its field, with the decimal sign of the user's language."""
     if content is None:
         return ""
     if about.kind == "flag" and isinstance(content, bool):
@@ -381,8 +381,12 @@ def written(content: Any, about: Quantity) -> str:
     if about.kind == "open":
         return _as_in_file(content)
     if isinstance(content, list):
-        return "; ".join(_digits(item) for item in content)
-    return content if isinstance(content, str) else _digits(content)
+        return "; ".join(_decimal(item, decimal) for item in content)
+    return content if isinstance(content, str) else _decimal(content, decimal)
+
+
+def _decimal(content: Any, sign: str) -> str:
+    return _digits(content).replace(".", sign) if isinstance(content, float) else _digits(content)
 
 
 def _as_in_file(content: Any) -> str:

@@ -63,7 +63,7 @@ class Field(Widget):
         self.session = session
         self.words = words or row.about.choices
         self.reason = EMPTY
-        self.default = default_of(row)
+        self.default = default_of(row, session.decimal)
         self._looks: tuple[object, ...] = ()
         self._box = self._made()
 
@@ -327,7 +327,7 @@ class StrokeField(Field):
         return (
             super().text
             if self.session.reason(RADIUS) or radius is None
-            else numbers.written(float(f"{2 * radius:.12g}"), self.about)
+            else numbers.written(float(f"{2 * radius:.12g}"), self.about, self.session.decimal)
         )
 
     def meant(self, typed: str) -> str:
@@ -344,7 +344,7 @@ def _numbers(content: object) -> list[int | float]:
     ]
 
 
-def default_of(row: FormRow) -> str:
+def default_of(row: FormRow, decimal: str = ".") -> str:
     """What holds where the field is left empty, as it would be written; empty where that depends on the rest."""
     about = row.about
     if not about.optional:
@@ -352,7 +352,7 @@ def default_of(row: FormRow) -> str:
     default = keys(owner(row.place))[key_at(row.place)].field.default
     if default is MISSING or default is None or isinstance(default, tuple):
         return ""
-    return numbers.written(about.units.shown(default) if about.kind == "number" else default, about)
+    return numbers.written(about.units.shown(default) if about.kind == "number" else default, about, decimal)
 
 
 def stepped(session: Session, place: Place, default: str, by: int) -> str:
@@ -377,7 +377,7 @@ def stepped(session: Session, place: Place, default: str, by: int) -> str:
     number = float(f"{content + by * step:.10g}")
     if not about.allows(number):
         return text
-    return numbers.written(int(number) if about.kind == "integer" else number, about)
+    return numbers.written(int(number) if about.kind == "integer" else number, about, session.decimal)
 
 
 def _increment(size: float) -> float:

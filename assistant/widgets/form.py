@@ -109,7 +109,7 @@ class Taken(ItemList):
                 content = value_at(self.session.data, id) if asks(self.session.data, owner) else None
                 if content is None:
                     continue
-                label, text, unit = say(about.label), numbers.written(content, about), about.unit
+                label, text, unit = say(about.label), numbers.written(content, about, self.session.decimal), about.unit
             labels = wrap(label, label_width - 1)
             origin = f"{self.app.signs.mark('from')} {NUMBERS[owner]}"
             value = f"{text} {unit}".rstrip()

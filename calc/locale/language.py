@@ -37,6 +37,11 @@ class Language:
         self.missing: set[str] = set()
         self._catalogue = catalogue
 
+    @property
+    def decimal(self) -> str:
+        """The decimal sign."""
+        return "." if self._catalogue is None else ","
+
     def __call__(self, text: str) -> str:
         """A Text in this language; any other string is a name and stays as it stands."""
         if self._catalogue is None or not isinstance(text, Text):

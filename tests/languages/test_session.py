@@ -227,6 +227,24 @@ async def test_the_first_steps_on_the_screen(light: Session) -> None:
         await back(pilot)
 
 
+async def test_a_field_has_the_decimal_sign_of_the_language(light: Session) -> None:
+    """What is typed with a point stands there with a comma, until another language is spoken; the file has a point."""
+    key = "engine.crank_radius_mm"
+    async with opened(light) as (pilot, _):
+        box = await go_to(pilot, key)
+        await type_in(pilot, "53.5")
+        await strike(pilot, "enter")
+        await until(pilot, lambda: light.value(key) == 53.5)
+        box = await go_to(pilot, key)
+        assert box.value == light.text(key) == "53,5"
+        await strike(pilot, "shift+up", "enter")
+        await until(pilot, lambda: light.value(key) != 53.5)
+        assert not light.reasons()
+        await pilot.app.speak("en")
+        await settled(pilot)
+        assert (await go_to(pilot, key)).value == light.text(key) == f"{light.value(key):g}"
+
+
 async def test_what_asks(light: Session) -> None:
     """Dialogs, the palette, a table to choose from, two designs side by side."""
     async with opened(light) as (pilot, reader):
