@@ -197,10 +197,8 @@ class Closing(ItemList):
         yield self._part(Text("measured ({n})", n=len(measured)), measured, width)
         notes = [note for outcome in outcomes if outcome.state == "solved" for note in outcome.notes]
         yield self._folded(ASSUMED, Text("assumed ({n})", n=len(notes)), [("", note) for note in notes], width)
-        uncounted = not_counted(session.design)
-        yield self._folded(
-            NOT_COUNTED, Text("not counted ({n})", n=len(uncounted)), [("", text) for text in uncounted], width
-        )
+        uncounted = [("", text) for text in not_counted(session.design)]
+        yield self._folded(NOT_COUNTED, Text("not counted ({n})", n=len(uncounted)), uncounted, width)
 
     def _folded(self, key: str, title: Text, rows: list[tuple[str, Text]], width: int) -> list[Item]:
         if not rows:

@@ -104,8 +104,8 @@ class Checks(ItemList):
 
     @property
     def brief(self) -> bool:
-        """Whether of the finding under the cursor only its distance and what mends it is told: beside other panes, until
-        the findings have the focus."""
+        """Whether of the finding under the cursor only its distance and what mends it is told, and of what is less bad
+        only how many there are: beside other panes, until the findings have the focus."""
         return short_of_room(self) and not self.has_focus
 
     def on_focus(self) -> None:

@@ -4,6 +4,7 @@
 The message is why an input is not accepted, what a step waits for, or a finding, that under the cursor or the worst."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from textual.content import Content
@@ -155,8 +156,9 @@ class MessageLine(Widget):
         """What a remedy changes, and, `whole`, what the step then is; shorter and shorter."""
         parts = not_repeated([self.app.say(words) for words in remedy.each])
         for count in range(len(parts), 0, -1):
-            words, more = Name(", ".join(parts[:count])), len(parts) - count
-            words = Text("{changes}, and {n} more", changes=words, n=more) if more else words
+            words: Text = Name(", ".join(parts[:count]))
+            if more := len(parts) - count:
+                words = Text("{changes}, and {n} more", changes=words, n=more)
             if whole:
                 yield Text("{changes} → {state}", changes=words, state=remedy.said)
             yield words
@@ -194,7 +196,7 @@ def not_repeated(changes: Sequence[str]) -> list[str]:
     """`span allowance of central 2 → 3 µm`, `idler 4 → 5 µm`: of each the words with which the one before it began are
     left out, up to what tells them apart."""
     shorter = list(changes[:1])
-    for before, change in zip(changes, changes[1:]):
+    for before, change in pairwise(changes):
         words, olds = change.split(" "), before.split(" ")
         same = next((n for n, (word, old) in enumerate(zip(words, olds)) if word != old), 0)
         told = " ".join(words[same:])

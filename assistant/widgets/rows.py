@@ -72,7 +72,9 @@ class FormRow:
 
 @dataclass(frozen=True)
 class Asked:
-    """`gather`: folds stand behind one, until one of them is open.  `chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there:
+    """`gather`: all folds stand behind one, until one of them is open.
+
+    `chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there:
     the one that is being edited and has just been emptied, and those in which something is not accepted.  `side`: how
     many elements fit side by side; `short`: how many inputs, where their unit has two letters at most."""
 
