@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
 
-from textual import work
+from textual import events, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
@@ -173,6 +173,7 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
 # Each numbered row can be taken.
 
 TOP = 40  # rows of a table
+TALL = 30  # rows of a screen from which there is room for prose beside a table
 
 
 class OfferList(ItemList):
@@ -188,6 +189,14 @@ class OfferList(ItemList):
         super().__init__(id="offer-list")
         self.offer: Offer | None = None
         self._column = 1
+        self._tall = True
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        if self._tall != (self.app.size.height >= TALL):
+            self.rebuild()
+        if self.cursor >= 0:  # what stands below it has grown
+            self.call_after_refresh(lambda: self._move(self.cursor))
 
     def show(self, offer: Offer) -> None:
         self.offer = offer
@@ -198,6 +207,8 @@ class OfferList(ItemList):
             return []
         items: list[Item] = []
         say = self.app.say
+        self._tall = self.app.size.height >= TALL
+        summary = [Item("", [Content(row) for row in wrap(say(words), width)]) for words in offer.summary]
         last, taken = 1, set[str]()
         for n, table in enumerate(in_language(raw_table, say) for raw_table in (offer.table(TOP), *offer.beside(TOP))):
             set_ = Setter(table, width, say, self._column)
@@ -205,8 +216,8 @@ class OfferList(ItemList):
             part = say(Text("   ({columns}; Shift+→ ←)", columns=set_.part)) if set_.part else ""
             title = [Content.styled(row, "bold") for row in wrap(f"{table.title}{part}", width)]
             items.append(Item("", [Content(""), *title] if n else title))
-            if not n:
-                items += [Item("", [Content(row) for row in wrap(say(words), width)]) for words in offer.summary]
+            if not n and self._tall:
+                items += summary
             items.append(Item("", set_.head()))
             numbered = bool(table.columns) and table.columns[0][0] == say(Text("no."))
             rows = set_.items()
@@ -222,6 +233,8 @@ class OfferList(ItemList):
                 items.append(Item("" if key in taken else key, item.rows, item.value, item.line))
                 taken.add(key)
             items += [Item("", item.rows) for item in rows[len(table.rows) :]]
+        if not self._tall:  # one came for the rows
+            items += [Item("", [Content("")]), *summary]
         for text in ((offer.hidden(TOP),) if offer.hidden(TOP) else ()) + offer.notes:
             items.append(Item("", [Content.styled(row, "dim") for row in wrap(f"· {say(text)}", width, 2)]))
         self._column = min(self._column, last)
@@ -235,7 +248,7 @@ class OfferList(ItemList):
 
 # --- the dialog of an offer
 
-HINT = Text("Enter takes the row (undo takes it back), ↑ ↓ go through the rows, Esc goes back")
+HINT = Text("Enter takes the row · ↑ ↓ rows · Esc back")
 
 
 @dataclass(frozen=True)
@@ -371,7 +384,7 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         else:
             changes = told(self.session.document, preview.changes) or Text("the design as it is")
             text = Text("Row {n}: {changes}", n=preview.number, changes=changes)
-            rows = [Content(row) for row in wrap(say(text), self.room, 2)[:3]]
+            rows = [Content(row) for row in wrap(say(text), self.room, 2)[: 3 if self.app.size.height >= TALL else 2]]
             if shut := locked_text(self.session.document, preview.changes):
                 text = Text("Row {n} {changes}", n=preview.number, changes=shut)
                 rows += [Content.styled(row, self.app.signs.style("warn")) for row in wrap(say(text), self.room, 2)]
@@ -383,6 +396,9 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         now = {step.key: results.outcomes[step.key].verdict for step in STEPS}
         was = {key: before.outcomes[key].verdict for key in now} if before is not None else now
         counts = results.words()
+        if self.app.size.height < TALL:  # the steps that it changes, and how it then stands
+            changed = self.verdict_rows(((key, was[key], now[key]) for key in now if was[key] != now[key]), "→")
+            return [*([row for row in changed if row]), Content.styled(self.app.say(counts), "dim")]
         if before is not None:
             counts = Text("{words} (now {were})", words=counts, were=before.words())
         return [

@@ -568,6 +568,11 @@ class WorkbenchResults(WorkbenchPanes):
         if self.stands and self.is_mounted:
             self.show_keys()
 
+    def refresh_top_line(self) -> None:
+        super().refresh_top_line()
+        if self.stands:
+            self.show_keys()
+
     def show_keys(self) -> None:
         """The footer leaves out first what does nothing here."""
         pane, results = self.curve_pane, self.session.results
@@ -579,6 +584,8 @@ class WorkbenchResults(WorkbenchPanes):
             "trouble": sound,
             "fix": sound,
             "choose": self.step.key not in CHOICES,
+            "undo": not self.session.history.begun,
+            "save": not self.session.dirty,
         }
         self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing), leafs=self.leafs)
 

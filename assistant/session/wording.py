@@ -2,7 +2,9 @@
 """Sentences that name keys of the design file, as the form calls them: who fills in fields need not know the file."""
 
 import re
+from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 
 from calc.design.model import Design
 from calc.locale import Language
@@ -43,6 +45,22 @@ def worded(sentence: str, say: Language) -> str:
         return found[0] if about is None else say(Small(about.label))
 
     return KEY.sub(label, sentence)
+
+
+def words_shared(text: str, before: str) -> int:
+    """With how many words a text begins as the one before it does."""
+    pairs = enumerate(zip(text.split(" "), before.split(" ")))
+    return next((n for n, (word, old) in pairs if word != old), 0)
+
+
+def not_repeated(changes: Sequence[str]) -> list[str]:
+    """`span allowance of central 2 → 3 µm`, `idler 4 → 5 µm`: of each the words with which the one before it began are
+    left out, up to what tells them apart."""
+    shorter = list(changes[:1])
+    for before, change in pairwise(changes):
+        told = " ".join(change.split(" ")[words_shared(change, before) :])
+        shorter.append(told if told[:1].isalpha() else change)
+    return shorter
 
 
 SENTENCE = re.compile(r"(?<=[^\s.]{3}[.;])\s+")  # behind a full stop that ends no abbreviation

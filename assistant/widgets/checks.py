@@ -4,7 +4,7 @@ holds is folded."""
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from textual import events
@@ -20,13 +20,14 @@ from calc.sheet.text import COMMA, Amount, Name, Text, plural
 from calc.sheet.verdict import TITLES, named, open_findings, severity
 
 from ..session.places import label_of
-from ..session.wording import worded
+from ..session.wording import words_shared, worded
 from .item_list import Item, ItemList
 from .pane import short_of_room
 from .text import bar, pad, wrap
 
 VALUE, LIMIT, MARGIN = Text("Value"), Text("Limit"), Text("Margin")
 GAP = 2  # cells between columns
+SHARED = 2  # words that are worth leaving out where they were just said
 SIGN = 2  # cells of the sign before a name
 NAMES = 26  # cells of a name at least, beside columns of numbers
 SOUGHT = "+"  # before the cause of a finding that somebody went to: it is named where others are counted
@@ -53,6 +54,7 @@ class CheckRow:
     others: int = 0
     inside: bool = False  # of a group, below its worst
     counted: bool = False  # with all of its verdict, by their number
+    shared: int = 0  # words with which its name begins as the one above it
     head: Content | None = None
 
 
@@ -222,12 +224,17 @@ class Checks(ItemList):
         if self.brief:
             named = [group for group in groups if group[0].verdict == groups[0][0].verdict or self._seen(group)]
             further = [check for group in groups if group not in named for check in group]
-            return [*self._named_rows(named), *self._counted_rows(further)]
+            return [*self._not_repeated(self._named_rows(named)), *self._counted_rows(further)]
         return self._named_rows(groups)
 
     def _seen(self, group: Sequence[Check]) -> bool:
         """Whether somebody has gone to a finding, or unfolded its group."""
         return not self.unfolded.isdisjoint((cause(group[0]), f"{SOUGHT}{cause(group[0])}"))
+
+    def _not_repeated(self, rows: list[CheckRow]) -> list[CheckRow]:
+        """`Smallest backlash central–idler`, `… idler–shaft`."""
+        names = [self.app.say(row.check.name) if row.check is not None else "" for row in rows]
+        return [replace(row, shared=words_shared(name, before)) for row, name, before in zip(rows, names, ["", *names])]
 
     def _counted_rows(self, checks: Sequence[Check]) -> list[CheckRow]:
         """How many there are of each verdict, with the worst margin, before anybody looks at them."""
@@ -318,6 +325,8 @@ class Checks(ItemList):
         assert row.check is not None
         say = self.app.say
         title = say(row.check.name)
+        if row.shared >= SHARED and row.key != self.key:  # that under the cursor is named in full
+            title = " ".join([self.app.signs.mark("more"), *title.split(" ")[row.shared :]])
         if row.check.verdict == "accepted":
             return say(Text("{check}: accepted, {reason}", check=Name(title), reason=row.check.accepted))
         if row.counted and row.others:
@@ -363,7 +372,7 @@ class Checks(ItemList):
         style, ratio = signs.style(check.verdict), check.share
         first: list[Content | tuple[str, str] | str] = [indent, say(held if ratio is not None else against)]
         if ratio is not None:
-            first += ["  ", bar(ratio, signs, style), "  ", (say(check.margin_text()), style)]
+            first += ["  ", bar(check.value, *check.bounds, signs, style), "  ", (say(check.margin_text()), style)]
         rows = [] if math.isnan(check.value) else [Content.assemble(*first)]
 
         def tell(words: str, style: str = "") -> None:

@@ -39,7 +39,7 @@ RATIO = dotted(ShaftInputs.speed_ratio)
 
 
 class ArrayHeading(Widget, can_focus=True):
-    """`◂ 2 of 4: central ▸` of a long array, over a table of what its elements must have; `2` of a short one that
+    """`◂ 2/4 central ▸` of a long array, over a table of what its elements must have; `2` of a short one that
     stands there whole."""
 
     app: BaseApp
@@ -119,7 +119,7 @@ class ArrayHeading(Widget, can_focus=True):
         items = self.items()
         words_alone = all(isinstance(item.get(key), str) for item in items for key in columns)
         if not items or not columns or (words_alone and short_of_room(self)):
-            return []  # of words alone those of the element in view are in the heading
+            return []  # of words alone those of the element in view stand in its fields
         labels = [f"{self.app.say(known[key].label)} {known[key].unit}".rstrip() for key in columns]
         return [
             ("", *labels),
@@ -164,9 +164,8 @@ class ArrayHeading(Widget, can_focus=True):
         if shown is None or shown >= len(names):
             middle: list[Content | str | tuple[str, str]] = [(f"  {len(names)}", "dim")]
         else:
-            name = self._called(shown)
-            name = f" {name}" if name else ""
-            text = f" {self.app.say(Text('{n} of {count}', n=shown + 1, count=len(names)))}{name} "
+            name = "" if self.cells() else str(self._elements()[shown].get("name", ""))  # which the table marks
+            text = f" {shown + 1}/{len(names)} {name} " if name else f" {shown + 1}/{len(names)} "
             middle = [
                 "  ",
                 self._link(before, "leaf(-1)"),
@@ -181,12 +180,6 @@ class ArrayHeading(Widget, can_focus=True):
         left = Content.assemble((" " + title, signs.style("invalid") if self.reason else "bold"), *middle)
         gap = max(1, self.size.width - left.cell_length - Content.assemble(*buttons).cell_length - 1)
         return Content("\n").join([Content.assemble(left, " " * gap, *buttons), *self._table()])
-
-    def _called(self, n: int) -> str:
-        """An element by its name, else by the words in it: `crank–central`."""
-        element = self._elements()[n]
-        name, dash = element.get("name"), "-" if self.app.signs.ascii else "–"
-        return str(name or dash.join(word for word in element.values() if isinstance(word, str)))
 
     def _link(self, text: str, action: str) -> Content:
         return self._clicked(Content.styled(text, "bold" if self.has_focus else "dim"), action)

@@ -4,7 +4,6 @@
 The message is why an input is not accepted, what a step waits for, or a finding, that under the cursor or the worst."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from textual.content import Content
@@ -24,7 +23,7 @@ from ..base_app import BaseApp
 from ..session.guide import step_of, title_of
 from ..session.places import Place, label_of, named_key
 from ..session.session import Session
-from ..session.wording import worded
+from ..session.wording import not_repeated, worded
 from .steps import nothing_left, ready_words, states_of, verdict_of, whole_of, worst_words
 from .text import fit, wrap
 
@@ -190,18 +189,6 @@ class MessageLine(Widget):
             return False
         checks = results.outcomes[self.step].checks
         return bool(self.finding) or any(check.verdict in URGENT for check in checks)
-
-
-def not_repeated(changes: Sequence[str]) -> list[str]:
-    """`span allowance of central 2 → 3 µm`, `idler 4 → 5 µm`: of each the words with which the one before it began are
-    left out, up to what tells them apart."""
-    shorter = list(changes[:1])
-    for before, change in pairwise(changes):
-        words, olds = change.split(" "), before.split(" ")
-        same = next((n for n, (word, old) in enumerate(zip(words, olds)) if word != old), 0)
-        told = " ".join(words[same:])
-        shorter.append(told if told[:1].isalpha() else change)
-    return shorter
 
 
 def _ahead(states: Sequence[StepState], data: Table) -> Text:

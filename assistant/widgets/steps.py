@@ -121,12 +121,9 @@ class Steps(ItemList):
             long, brief = (say(text).replace("→", signs.mark("then")) for text in (shown.text, shown.brief))
             rows.append(Content(f"{INDENT}{long if len(long) <= room else fit(brief, room)}"))
             if shown.share is not None and shown.check is not None:
-                verdict = signs.style(shown.check.verdict)
-                rows.append(
-                    Content.assemble(
-                        INDENT, bar(shown.share, signs, verdict), (f" {say(shown.check.margin_text())}", verdict)
-                    )
-                )
+                check, verdict = shown.check, signs.style(shown.check.verdict)
+                drawn = bar(check.value, *check.bounds, signs, verdict)
+                rows.append(Content.assemble(INDENT, drawn, (f" {say(check.margin_text())}", verdict)))
         return rows
 
     def _open(self, state: StepState) -> Text:
@@ -182,9 +179,6 @@ class StepBar(Widget):
             several = {"countershaft": Text("Shafts")} if len(self.session.shafts) > 1 else {}
             brief = {**BRIEF, **several}
             titles = [self.app.say(brief.get(step.key, step.title)) for step in STEPS]
-        if sum(map(len, titles)) > room:  # a number is enough of what the design does not ask for
-            idle = [state.state == "not_asked" and state.key != self.current for state in states]
-            titles = ["" if n else title for n, title in zip(idle, titles)]
         longest = max(map(len, titles))
         while sum(min(len(title), longest) for title in titles) > room and longest > 3:
             longest -= 1
