@@ -384,7 +384,7 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         else:
             changes = told(self.session.document, preview.changes) or Text("the design as it is")
             text = Text("Row {n}: {changes}", n=preview.number, changes=changes)
-            rows = [Content(row) for row in wrap(say(text), self.room, 2)[: 3 if self.app.size.height >= TALL else 2]]
+            rows = [Content(row) for row in wrap(say(text), self.room, 2)[:3]]
             if shut := locked_text(self.session.document, preview.changes):
                 text = Text("Row {n} {changes}", n=preview.number, changes=shut)
                 rows += [Content.styled(row, self.app.signs.style("warn")) for row in wrap(say(text), self.room, 2)]

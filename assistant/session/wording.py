@@ -63,7 +63,7 @@ def not_repeated(changes: Sequence[str]) -> list[str]:
     return shorter
 
 
-SENTENCE = re.compile(r"(?<=[^\s.]{3}[.;])\s+")  # behind a full stop that ends no abbreviation
+SENTENCE = re.compile(r"(?<=[^\s.]{3}\.)\s+")  # behind a full stop that ends no abbreviation
 
 
 def sentences(text: str) -> list[str]:

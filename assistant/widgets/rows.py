@@ -5,6 +5,7 @@ A table that may be left out has fields only where it is there. Elements stand s
 array stands there whole, and of a long one only one element does: its heading leafs through them.  The stroke is asked
 for in place of the crank radius, which is half of it."""
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -299,10 +300,9 @@ def _titled(about: Quantity, bearing: object) -> Quantity:
 
 
 def meaning(about: Quantity, say: Language, *, sourced: bool = True, brief: bool = False) -> str:
-    """What a quantity means and what is usual, `brief`: in two sentences at most, without the source.
+    """What a quantity means and what is usual, which stands behind the first sentence; `brief`: no more than that.
 
-    `sourced`: with the source in brackets, behind the usual range or else
-    the meaning, but that there is none: of what is usual F1 says so."""
+    `sourced`: with the source in brackets, behind the usual range or else the meaning; that there is none F1 says."""
     sourced = sourced and not brief and about.source is not THUMB
     source = f" ({say(about.source)})" if sourced and about.source else ""
     words, usual = say(about.help), ""
@@ -327,14 +327,19 @@ def heading_help(about: Quantity, keys: Text, reason: Text, app: BaseApp) -> tup
     return about.label, f"{app.signs.mark('invalid')} {app.say(reason)}. {text}" if reason else text
 
 
+BRACKETS = re.compile(r" \([^()]*\)")
+
+
 def foot(parts: Sequence[str], more: str, width: int, height: int) -> list[str]:
-    """As many whole sentences as go into so many rows, those that do not left out; `more` where the last row has room
-    for it."""
+    """As many whole sentences as go into so many rows, sooner without their brackets than not at all; `more` where the
+    last row has room for it."""
     words = ""
     for part in parts:
-        longer = f"{words} {part}".strip()
-        if not words or len(wrap(longer, width)) <= height:
-            words = longer
+        for shorter in (part, BRACKETS.sub("", part)):
+            longer = f"{words} {shorter}".strip()
+            if not words or len(wrap(longer, width)) <= height:
+                words = longer
+                break
     rows = wrap(words, width)
     if len(rows) > height:  # the first alone is too long
         rows = rows[:height]
@@ -368,8 +373,8 @@ class FieldHelp(Widget):
         told = sentences(worded(self.text, self.app.say))
         if self.title and not (short and told):
             told = [f"{self.title}: {told[0]}" if told else self.title, *told[1:]]
-        rest = "" if short else self.rest
-        parts = [part for part in (*told[:2], self.moves, *told[2:], rest) if part]
+        moves = self.moves.partition(";")[0].rstrip(".") + "." if self.moves and short else self.moves
+        parts = [part for part in (*told[:2], moves, *told[2:], "" if short else self.rest) if part]
         more = f"  {self.app.say(Text('F1 more'))}" if self.title and not short else ""
         rows = foot(parts, more, max(10, self.size.width - 2), self.size.height)
         return Content.styled("\n".join(" " + row for row in rows), "dim")
