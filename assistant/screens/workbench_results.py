@@ -429,11 +429,14 @@ class WorkbenchResults(WorkbenchPanes):
         results = self.session.results
         outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
         self.checks.show(outcome)
-        if outcome is not None:
-            findings = open_findings(outcome.checks)
-            told = self.app.say(findings_of(findings)) if findings and not self.has_class("-wide") else ""
-            self.pane_named("checks").set_title(right=told)  # where room is short, the verdict says how many
+        self._title_findings()
         self.refresh_top_line()  # the last line of the screen follows: what lies between two lines is painted with them
+
+    def _title_findings(self) -> None:
+        """How many findings there are; beside other panes they say so themselves."""
+        outcome = self.checks.outcome
+        findings = open_findings(outcome.checks) if outcome is not None and not self.has_class("-wide") else []
+        self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if findings else "")
 
     def show_state(self) -> None:
         """Everything but the results: mistakes, verdicts of the steps, the message line."""
@@ -566,6 +569,7 @@ class WorkbenchResults(WorkbenchPanes):
     def set_out(self) -> None:
         super().set_out()
         if self.stands and self.is_mounted:
+            self._title_findings()
             self.show_keys()
 
     def refresh_top_line(self) -> None:
@@ -580,7 +584,7 @@ class WorkbenchResults(WorkbenchPanes):
         unseen = self.wide and "curve" not in self.shown_panes
         idle = {
             "variant": unseen or pane.curve is None or (len(pane.curve.variants) < 2 and not pane.walks),
-            "curve": unseen or len(pane.leaves) < 2,
+            "curve": len(pane.leaves) < 2,
             "trouble": sound,
             "fix": sound,
             "choose": self.step.key not in CHOICES,

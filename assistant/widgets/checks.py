@@ -108,14 +108,12 @@ class Checks(ItemList):
     def brief(self) -> bool:
         """Whether of the finding under the cursor only its distance and what mends it is told, and of what is less bad
         only how many there are: beside other panes, until the findings have the focus."""
-        return short_of_room(self) and not self.has_focus
+        return short_of_room(self) and self.screen.focused is not self
 
     def on_focus(self) -> None:
-        super().on_focus()
         self.rebuild()
 
     def on_blur(self) -> None:
-        super().on_blur()
         if self.is_attached:
             self.rebuild()
 

@@ -127,7 +127,7 @@ def _place(word: str, text: str) -> int | None:
 # What is allowed is drawn heavy, so that the side is seen on which it is right: `╌╌╌╌●┃━━` is too little.
 
 CELLS = 8
-ROOM = 4 / 3  # the length of the line, over a limit that the value keeps
+ROOM = 1.5  # the length of the line, over a limit that the value keeps
 
 
 def bar(value: float, low: float | None, high: float | None, signs: Signs, style: str = "") -> Content:
