@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from rich.cells import cell_len
 from textual import events
 from textual.binding import Binding, BindingType
 from textual.content import Content
@@ -20,7 +21,7 @@ from calc.sheet.text import COMMA, Amount, Name, Text, plural
 from calc.sheet.verdict import TITLES, named, open_findings, severity
 
 from ..session.places import label_of
-from ..session.wording import words_shared, worded
+from ..session.wording import worded, words_shared
 from .item_list import Item, ItemList
 from .pane import short_of_room
 from .text import bar, pad, wrap
@@ -56,6 +57,8 @@ class CheckRow:
     counted: bool = False  # with all of its verdict, by their number
     shared: int = 0  # words with which its name begins as the one above it
     head: Content | None = None
+    worst: Check | None = None  # of those that its head stands for
+    fold: str = ""  # the sign behind it
 
 
 @dataclass(frozen=True)
@@ -70,6 +73,11 @@ class CheckColumns:
     @property
     def numbers(self) -> bool:
         return self.value > 0
+
+    @property
+    def wide(self) -> int:
+        """All of them, with the sign before the name."""
+        return SIGN + self.name + (self.value + self.limit + 2 * GAP if self.numbers else 0) + GAP + self.margin
 
 
 class Checks(ItemList):
@@ -259,9 +267,10 @@ class Checks(ItemList):
         words = self.app.say(plural(count.one, count.template, n=len(checks)))
         state = "pass" if key == HOLD else "note"
         fold = signs.mark("unfolded" if unfolded else "folded")
-        head = Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim"))
+        worst = checks[0] if key != HOLD and not unfolded else None
+        head = Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"))
         inside = [CheckRow(check.id, check, inside=True) for check in checks] if unfolded else []
-        return [CheckRow(key, head=head), *inside]
+        return [CheckRow(key, head=head, worst=worst, fold=fold), *inside]
 
     def build(self, width: int) -> list[Item]:
         outcome, say = self.outcome, self.app.say
@@ -275,7 +284,7 @@ class Checks(ItemList):
             text = say(texts[outcome.state]) if outcome.state in texts else outcome.reason
             return [Item("", [Content.styled(row, "dim") for row in wrap(text, max(1, width))])]
         rows = self._rows_of()
-        columns = self._columns([row for row in rows if row.check is not None], width)
+        columns = self._columns(rows, width)
         keys = [row.key for row in rows if row.key]
         chosen = self.key if self.key in keys else keys[0] if keys else ""
         reasons = (
@@ -288,7 +297,7 @@ class Checks(ItemList):
         items += [Item("", [self._head(columns)])] if columns.numbers else []
         for row in rows:
             if row.check is None:
-                items.append(Item(row.key, [(row.head or Content("")).truncate(width, ellipsis=True)]))
+                items.append(Item(row.key, [self._fold_row(row, columns, width)]))
                 continue
             content = self._title_rows(row, columns)
             if row.key == chosen:
@@ -305,13 +314,25 @@ class Checks(ItemList):
         def widest(head: Text, cell: Callable[[Check], str]) -> int:
             return max([len(say(head)), *(len(cell(check)) for check in checks)])
 
-        margin = widest(MARGIN, lambda c: say(c.margin_text()))
+        margins = [say(check.margin_text()) for row in rows if (check := row.check or row.worst) is not None]
+        margin = max(map(len, [say(MARGIN), *margins]))
         value, limit = widest(VALUE, lambda c: say.number(short(c.value))), widest(LIMIT, lambda c: say(c.limit_text()))
         room = width - SIGN - value - limit - margin - 3 * GAP
         if checks and room >= NAMES:
-            longest = max(len(self._title(row)) for row in rows)
+            longest = max(len(self._title(row)) for row in rows if row.check is not None)
             return CheckColumns(min(room, max(NAMES, longest + 2)), value, limit, margin)
         return CheckColumns(max(8, width - SIGN - GAP - margin), 0, 0, margin)
+
+    def _fold_row(self, row: CheckRow, columns: CheckColumns, width: int) -> Content:
+        """What stands for several checks, with the worst of them: its margin, and its name where that has room."""
+        head = Content.assemble(row.head or "", (f" {row.fold}" if row.fold else "", "dim"))
+        if row.worst is None:
+            return head.truncate(width, ellipsis=True)
+        name, margin = (self.app.say(text) for text in (row.worst.name, row.worst.margin_text()))
+        room = columns.wide - head.cell_length - columns.margin - GAP
+        named = f" {name}" if not self.brief and cell_len(name) < room else ""
+        gap = " " * max(1, columns.wide - head.cell_length - cell_len(named) - cell_len(margin))
+        return Content.assemble(head, (f"{named}{gap}{margin}", "dim")).truncate(width, ellipsis=True)
 
     def _head(self, columns: CheckColumns) -> Content:
         say = self.app.say

@@ -102,7 +102,9 @@ async def test_the_footer_fits(screen: Screen, size: tuple[int, int], shown: str
         text: Any = footer.render()
         assert " ".join(text.plain.split()) == shown
         assert text.cell_length <= size[0]
-        await strike(pilot, "1")  # into a field, the name of the design: now there is something to take back, and to keep
+        await strike(
+            pilot, "1"
+        )  # into a field, the name of the design: now there is something to take back, and to keep
         assert "^z Undo ^s Save" in " ".join(footer.render().plain.split()) or size[0] == 80
 
 

@@ -53,7 +53,9 @@ def test_no_sentence_at_the_foot_is_cut_but_the_first_where_it_is_too_long() -> 
 
 
 def test_what_is_usual_stands_behind_the_first_sentence() -> None:
-    usual = replace(LENGTH, usual=(1.0, 2.5), help="Along the shaft; without chamfers, i.e. what carries. Longer is stiffer.")
+    usual = replace(
+        LENGTH, usual=(1.0, 2.5), help="Along the shaft; without chamfers, i.e. what carries. Longer is stiffer."
+    )
     first, last = "Along the shaft; without chamfers, i.e. what carries.", "Longer is stiffer."
     assert meaning(usual, SAY) == f"{first} Usual 1 to 2.5 mm (a book). {last}"
     assert meaning(usual, SAY, brief=True) == f"{first} Usual 1 to 2.5 mm."

@@ -5,14 +5,16 @@ from dataclasses import replace
 
 import pytest
 
-from assistant.screens.ready import Closing
+from assistant.screens.ready import Closing, _joined
 from assistant.session.calculation import _slope, _step, slopes_of_check, slopes_of_input
 from assistant.session.session import Session
+from assistant.session.wording import not_repeated
 from assistant.widgets.checks import Checks
 from assistant.widgets.lines import MessageLine
 from assistant.widgets.signs import Signs
 from assistant.widgets.steps import READY, Steps
 from assistant.widgets.text import bar
+from calc.sheet.check import Check
 from calc.sheet.text import Text
 from calc.sheet.verdict import findings_of, open_findings
 from calc.studies.explain import effects, moved_by
@@ -90,6 +92,10 @@ async def test_a_step_says_its_state_and_how_many_findings_are_listed(screen: Sc
         assert [row.plain for row in checks.items[0].rows] == ["✗ FAIL"] and bench.pane_named("checks").right == ""
         assert heads()[0] == listed[0][0].id
         assert sum(row.startswith("▲ 2 cautions ▸") and row.endswith("−39 %") for row in rows(checks).values()) == 1
+        notes = sorted((c.margin for c in outcome.checks if c.verdict == "note"), key=float)
+        assert rows(checks)["advice"].startswith(f"• {len(notes)} notes ▸ ") and rows(checks)["advice"].endswith(
+            "−19 %"
+        )
         checks.focus()
         await settled(pilot)
         assert [row.plain for row in checks.items[0].rows] == [f"✗ {outcome.words()}"]
@@ -179,6 +185,25 @@ def test_slopes_are_told_in_labels_and_units(session: Session) -> None:
     assert moved.startswith("film at the edge over the speeds, thinnest at 2497 rpm, front +0.21 µm per 0.5 mm; ")
 
 
+def test_what_lacks_the_same_in_one_step_is_said_once() -> None:
+    def lacking(step: str, *missing: str) -> Check:
+        return made_check(1.0, id=f"{step}.{missing[0]}", missing=missing)
+
+    groups = [
+        [lacking(*each)] for each in (("gears", "a", "b"), ("gears", "c"), ("gears", "b", "d"), ("friction", "a"))
+    ]
+    assert [[check.id for check in one] for one in _joined(groups)] == [
+        ["gears.c"],
+        ["gears.a", "gears.b"],
+        ["friction.a"],
+    ]
+    assert not_repeated(["span of central 2 mm", "span of idler 3 mm", "mass 2 kg"]) == [
+        "span of central 2 mm",
+        "idler 3 mm",
+        "mass 2 kg",
+    ]
+
+
 def test_a_bar_shows_on_which_side_of_its_limits_a_value_is_right() -> None:
     signs, plain = Signs(), Signs(ascii=True)
 
@@ -201,9 +226,7 @@ def test_a_bar_shows_on_which_side_of_its_limits_a_value_is_right() -> None:
 
 def test_a_slope_is_told_for_the_step_by_which_one_goes_on() -> None:
     data = {"shafts": [{"name": "a"}], "engine": {"bore_mm": 94.0, "cylinders": 3, "rated_speed_rpm": 2600.0}}
-    told = {
-        key: _step(data, key) for key in ("engine.bore_mm", "engine.cylinders", "engine.rated_speed_rpm")
-    }
+    told = {key: _step(data, key) for key in ("engine.bore_mm", "engine.cylinders", "engine.rated_speed_rpm")}
     assert told == {
         "engine.bore_mm": (10.0, "mm"),
         "engine.cylinders": (1.0, ""),

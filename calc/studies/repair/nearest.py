@@ -43,11 +43,10 @@ Repairer = Callable[[RepairState, tuple[Check, ...], Progress | None], RepairSta
 
 @dataclass(frozen=True)
 class NearestRemedy:
-    """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `each`: their words; `said`: the state of the step
-    then; `mends`:
-    ids of checks that failed and do not with it (a step that had no solution: its key).  `left`: what still fails in
-    the step, and why; then it is a part of a remedy only.  `breaks`: ids of limits of other steps that are judged
-    worse with it.  `document` and `results`: the design with it."""
+    """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `each`: their words; `said`: the state of the
+    step then; `mends`: ids of checks that failed and do not with it (a step that had no solution: its key).  `left`:
+    what still fails in the step, and why; then it is a part of a remedy only.  `breaks`: ids of limits of other steps
+    that are judged worse with it.  `document` and `results`: the design with it."""
 
     step: str
     changes: tuple[str, ...]
