@@ -3,7 +3,7 @@
 out by whom, and what is assumed, accepted and not verified."""
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -29,6 +29,7 @@ from ..base_app import BaseApp
 from ..session.guide import title_of
 from ..session.places import label_of, named_key
 from ..session.session import Session
+from ..session.wording import not_repeated
 from ..widgets.canvas import draw
 from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import ready_words, states_of, verdict_of, whole_of
@@ -47,7 +48,7 @@ KEYS = (
 )
 GIVEN = ("report", "export", "drive", "palette", "undo", "redo", "quit")
 PICTURE = (90, 14)  # cells of the picture at most
-ASSUMED, NOT_COUNTED = "assumed", "not_counted"  # what is folded
+ASSUMED, NOT_COUNTED, HELD, STRETCHED = FOLDED = "assumed", "not_counted", "held", "stretched"  # what is folded
 
 
 class Closing(ItemList):
@@ -66,7 +67,7 @@ class Closing(ItemList):
         return EMPTY if not self.key else Text("goes there") if "." in self.key else Text("opens it")
 
     def choose(self, clicked: bool = False) -> None:
-        if self.key in (ASSUMED, NOT_COUNTED):
+        if self.key in FOLDED:
             self.unfolded ^= {self.key}
             self.rebuild()
         else:
@@ -168,7 +169,7 @@ class Closing(ItemList):
         unknown: dict[str, list[Check]] = {}  # what is not given → what can not be judged without it
         for check in checks:
             if check.verdict == "not_verified":
-                unknown.setdefault(", ".join([*check.missing, *check.outside]), []).append(check)
+                unknown.setdefault(", ".join(_wanting(check)), []).append(check)
         lacking = [
             (
                 mine[0].id,
@@ -176,26 +177,28 @@ class Closing(ItemList):
                     "{lack}: {check}",
                     "{lack}: {check} and {more} more",
                     n=len(mine),
-                    lack=self._lack(mine[0], {check.id: check.name for check in checks}),
+                    lack=self._lack(mine, {check.id: check.name for check in checks}),
                     check=mine[0].name,
                     more=len(mine) - 1,
                 ),
             )
-            for mine in unknown.values()
+            for mine in _joined(unknown.values())
         ]
         title = Text("not verified: {findings}", findings=findings_of(list(unknown.values())))
         yield self._part(title, lacking, width)
         held = [check for check in checks if check.verdict == "pass"]
         taken = Counter(what for check in held for what in check.taken)
         holding = [("", plural("{what}: {n} check", "{what}: {n} checks", n=n, what=what)) for what, n in taken.items()]
-        yield self._part(Text("holds by what is assumed ({n})", n=len(holding)), holding, width)
+        title = Text("holds by what is assumed ({n})", n=len(holding))
+        yield self._folded(HELD, title, holding, width)
         # how many hold by a formula that it puts out of its range
         beyond = Counter(method for check in held for method in outside(check, checks))
         stretched = [
             (method.id, plural("{what}: {n} check", "{what}: {n} checks", n=n, what=method.name))
             for method, n in beyond.items()
         ]
-        yield self._part(Text("holds outside the validity of a formula ({n})", n=len(stretched)), stretched, width)
+        title = Text("holds outside the validity of a formula ({n})", n=len(stretched))
+        yield self._folded(STRETCHED, title, stretched, width)
         odd = [(session.design.step_of(oddity.key), oddity.words) for oddity in unusual(session.design, checks=checks)]
         yield self._part(Text("not usual ({n})", n=len(odd)), odd, width)
         values = session.values()
@@ -212,26 +215,29 @@ class Closing(ItemList):
         ]
         yield self._part(Text("measured ({n})", n=len(measured)), measured, width)
         notes = [note for outcome in outcomes if outcome.state == "solved" for note in outcome.notes]
-        yield self._folded(ASSUMED, Text("assumed ({n})", n=len(notes)), notes, width)
-        uncounted = not_counted(session.design)
+        yield self._folded(ASSUMED, Text("assumed ({n})", n=len(notes)), [("", note) for note in notes], width)
+        uncounted = [("", text) for text in not_counted(session.design)]
         yield self._folded(NOT_COUNTED, Text("not counted ({n})", n=len(uncounted)), uncounted, width)
 
-    def _folded(self, key: str, title: Text, texts: Sequence[Text], width: int) -> list[Item]:
-        if not texts:
+    def _folded(self, key: str, title: Text, rows: list[tuple[str, Text]], width: int) -> list[Item]:
+        if not rows:
             return []
-        say, unfolded = self.app.say, key in self.unfolded
-        head = Content.styled(f"{say(title)} {self.app.signs.mark('unfolded' if unfolded else 'folded')}", "bold")
-        rows = [Content(lead + row) for text in texts if unfolded for lead, row in _bulleted(say(text), width)]
-        return [Item(key, [head]), *([Item("", rows)] if rows else [])]
+        unfolded = key in self.unfolded
+        mark = self.app.signs.mark("unfolded" if unfolded else "folded")
+        head = Content.styled(f"{self.app.say(title)} {mark}", "bold")
+        return [Item(key, [head]), *(self._part(title, rows, width)[1:] if unfolded else [])]
 
-    def _lack(self, check: Check, names: Mapping[str, Text]) -> Text:
-        """What is not given, and which checks of the method put it outside the validity of its formula."""
-        missing = [Text("{input} is not given", input=self._labels(check.missing))] if check.missing else []
-        methods = COMMA.join(names.get(method, Name(method)) for method in check.outside)
+    def _lack(self, checks: Sequence[Check], names: Mapping[str, Text]) -> Text:
+        """What is not given, and which checks of the method put them outside the validity of their formula."""
+        keys = dict.fromkeys(key for check in checks for key in check.missing)
+        missing = [Text("{input} is not given", input=self._labels(tuple(keys)))] if keys else []
+        ids = dict.fromkeys(method for check in checks for method in check.outside)
+        methods = COMMA.join(names.get(method, Name(method)) for method in ids)
         return SEMICOLON.join([*missing, *([Text("outside validity, {methods}", methods=methods)] if methods else [])])
 
     def _labels(self, keys: tuple[str, ...]) -> Text:
-        return COMMA.join(label_of(self.session.data, key) for key in keys)
+        labels = [self.app.say(label_of(self.session.data, key)) for key in keys]
+        return COMMA.join(map(Name, not_repeated(labels)))
 
     def _part(self, title: Text, rows: list[tuple[str, Text]], width: int) -> list[Item]:
         if not rows:
@@ -244,6 +250,22 @@ class Closing(ItemList):
                 for id, text in rows
             ),
         ]
+
+
+def _joined(groups: Iterable[Sequence[Check]]) -> list[list[Check]]:
+    """Those of one step that lack the same, if only in part: it is said once."""
+    joined: list[tuple[set[str], list[Check]]] = []
+    for group in groups:
+        checks, lack = list(group), {check.id.partition(".")[0] + key for check in group for key in _wanting(check)}
+        for other in [other for other in joined if other[0] & lack]:
+            joined.remove(other)
+            checks, lack = [*other[1], *checks], lack | other[0]
+        joined.append((lack, checks))
+    return [checks for _, checks in joined]
+
+
+def _wanting(check: Check) -> tuple[str, ...]:
+    return (*check.missing, *check.outside)
 
 
 def _bulleted(text: str, width: int) -> Iterator[tuple[str, str]]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
 
-from textual import work
+from textual import events, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
@@ -218,6 +218,7 @@ class Searching(Once, ModalScreen[Taken], Generic[Taken, Found]):
 # Each numbered row can be taken.
 
 TOP = 40  # rows of a table
+TALL = 30  # rows of a screen from which there is room for prose beside a table
 
 
 class OfferList(ItemList):
@@ -233,6 +234,14 @@ class OfferList(ItemList):
         super().__init__(id="offer-list")
         self.offer: Offer | None = None
         self._column = 1
+        self._tall = True
+
+    def on_resize(self, event: events.Resize) -> None:
+        super().on_resize(event)
+        if self._tall != (self.app.size.height >= TALL):
+            self.rebuild()
+        if self.cursor >= 0:  # what stands below it has grown
+            self.call_after_refresh(lambda: self._move(self.cursor))
 
     def show(self, offer: Offer) -> None:
         self.offer = offer
@@ -243,6 +252,8 @@ class OfferList(ItemList):
             return []
         items: list[Item] = []
         say = self.app.say
+        self._tall = self.app.size.height >= TALL
+        summary = [Item("", [Content(row) for row in wrap(say(words), width)]) for words in offer.summary]
         last, taken = 1, set[str]()
         for n, table in enumerate(in_language(raw_table, say) for raw_table in (offer.table(TOP), *offer.beside(TOP))):
             set_ = Setter(table, width, say, self._column)
@@ -250,8 +261,8 @@ class OfferList(ItemList):
             part = say(Text("   ({columns}; Shift+→ ←)", columns=set_.part)) if set_.part else ""
             title = [Content.styled(row, "bold") for row in wrap(f"{table.title}{part}", width)]
             items.append(Item("", [Content(""), *title] if n else title))
-            if not n:
-                items += [Item("", [Content(row) for row in wrap(say(words), width)]) for words in offer.summary]
+            if not n and self._tall:
+                items += summary
             items.append(Item("", set_.head()))
             numbered = bool(table.columns) and table.columns[0][0] == say(Text("no."))
             rows = set_.items()
@@ -267,6 +278,8 @@ class OfferList(ItemList):
                 items.append(Item("" if key in taken else key, item.rows, item.value, item.line))
                 taken.add(key)
             items += [Item("", item.rows) for item in rows[len(table.rows) :]]
+        if not self._tall:  # one came for the rows
+            items += [Item("", [Content("")]), *summary]
         for text in ((offer.hidden(TOP),) if offer.hidden(TOP) else ()) + offer.notes:
             items.append(Item("", [Content.styled(row, "dim") for row in wrap(f"· {say(text)}", width, 2)]))
         self._column = min(self._column, last)
@@ -497,6 +510,9 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         now = {step.key: results.outcomes[step.key].verdict for step in STEPS}
         was = {key: before.outcomes[key].verdict for key in now} if before is not None else now
         counts = results.words()
+        if self.app.size.height < TALL:  # the steps that it changes, and how it then stands
+            changed = self.verdict_rows(((key, was[key], now[key]) for key in now if was[key] != now[key]), "→")
+            return [*([row for row in changed if row]), Content.styled(self.app.say(counts), "dim")]
         if before is not None:
             counts = Text("{words} (now {were})", words=counts, were=before.words())
         return [

@@ -224,6 +224,7 @@ class WorkbenchPanes(Screen[None]):
             part.display = any(pane.display for pane in part.query(Pane))
             part.set_class(single, "-single")
         self.query_one("#seen", Vertical).set_class(not self.query_one("#judged", Vertical).display, "-whole")
+        self.query_one(MessageLine).beside = "checks" in shown and not single
         if "curve" in shown:
             self.call_after_refresh(self.curve_pane.draw)
 

@@ -438,10 +438,14 @@ class WorkbenchResults(WorkbenchPanes):
             outcome = said(results.outcomes[self.step.key], self.app.say)
             first = lead(results, self.step.key, brief=True)
         self.checks.show(outcome, first or EMPTY)
-        if outcome is not None:
-            findings = open_findings(outcome.checks)
-            self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if findings else "")
+        self._title_findings()
         self.refresh_top_line()  # the last line of the screen follows: what lies between two lines is painted with them
+
+    def _title_findings(self) -> None:
+        """How many findings there are; beside other panes they say so themselves."""
+        outcome = self.checks.outcome
+        findings = open_findings(outcome.checks) if outcome is not None and not self.has_class("-wide") else []
+        self.pane_named("checks").set_title(right=self.app.say(findings_of(findings)) if findings else "")
 
     def show_state(self) -> None:
         """Everything but the results: mistakes, verdicts of the steps, the message line."""
@@ -483,6 +487,7 @@ class WorkbenchResults(WorkbenchPanes):
         line = self.query_one(MessageLine)
         line.trouble, line.remedy = self.trouble, self.remedy
         line.redraw()
+        self.checks.offer(line.beside and self.trouble == self.step.key and bool(line.offer()))
         self.show_keys()
 
     def show_finding(self) -> None:
@@ -571,16 +576,30 @@ class WorkbenchResults(WorkbenchPanes):
             self._unchosen = results, with_imbalance(session.document, results)
         return self._unchosen[1]
 
+    def set_out(self) -> None:
+        super().set_out()
+        if self.stands and self.is_mounted:
+            self._title_findings()
+            self.show_keys()
+
+    def refresh_top_line(self) -> None:
+        super().refresh_top_line()
+        if self.stands:
+            self.show_keys()
+
     def show_keys(self) -> None:
         """The footer leaves out first what does nothing here."""
         pane, results = self.curve_pane, self.session.results
         sound = self.session.valid and results is not None and all(c.verdict not in URGENT for c in results.checks())
+        unseen = self.wide and "curve" not in self.shown_panes
         idle = {
-            "variant": pane.curve is None or (len(pane.curve.variants) < 2 and not pane.walks),
+            "variant": unseen or pane.curve is None or (len(pane.curve.variants) < 2 and not pane.walks),
             "curve": len(pane.leaves) < 2,
             "trouble": sound,
             "fix": sound,
             "choose": bool(no_choice(self.step.key, self.session.data)),
+            "undo": not self.session.history.begun,
+            "save": not self.session.dirty,
         }
         self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing), leafs=self.leafs)
 
@@ -596,10 +615,7 @@ class WorkbenchResults(WorkbenchPanes):
         elif isinstance(source, (ArrayHeading, TableHeading, Fold, Radio, Taken)):
             foot.show(*source.explained())
         elif source is not None and self.pane == "inputs":
-            foot.show(
-                say(Text("No field is being edited")),
-                say(Text("letters act as keys; Tab or ↓ goes back to the fields.")),
-            )
+            foot.show("", say(Text("Tab ↓: to the fields")))
         else:
             foot.show("", "")
 

@@ -29,7 +29,8 @@ if TYPE_CHECKING:
     from calc.studies.explain import Effect
 
 NAMED = 2  # inputs that are named for a check, and checks for an input
-LEAST, GREATEST = 0.01, 1000.0  # a slope is told for so much of the input that it lies between these
+DIFFERENCES = {"°C": "K"}  # the unit of a difference, where it is another
+LEAST = 0.01  # that a slope comes to in figures: of what moves less, for so many tens of steps
 
 
 @dataclass(frozen=True)
@@ -125,12 +126,12 @@ def slopes_of_check(data: "DesignTable", check: Check, effects: "tuple[Effect, .
 
 def _slope_of(data: "DesignTable", check: Check, effect: "Effect") -> Text:
     """What an input does to the value that is judged, or, where it leaves that alone, to its limit."""
-    unit, words = quantity_of(data, effect.key).unit, label_of(data, effect.key)
+    step, words = _step(data, effect.key), label_of(data, effect.key)
     if effect.slope:
-        return _slope(words, effect.slope, check.unit, unit)
+        return _slope(words, effect.slope, check.unit, step)
     gain = effect.gain or 0.0
     below = check.nearest[1] == check.limit[0] if isinstance(check.limit, tuple) else check.sense in (">=", ">")
-    return _slope(Text("{input}: limit", input=words), -gain if below else gain, check.unit, unit)
+    return _slope(Text("{input}: limit", input=words), -gain if below else gain, check.unit, step)
 
 
 def slopes_of_input(data: "DesignTable", key: str, moved: "tuple[tuple[Check, Effect], ...]") -> Text:
@@ -143,22 +144,32 @@ def slopes_of_input(data: "DesignTable", key: str, moved: "tuple[tuple[Check, Ef
             and any(f"{key}.".startswith(f"{prefix}.") for prefix in check.moved_by)
         ):
             seen.setdefault(check.cause or check.id, (check, effect))
-    unit = quantity_of(data, key).unit
+    step = _step(data, key)
     return SEMICOLON.join(
-        _slope(Small(check.name), response.slope or 0.0, check.unit, unit)
+        _slope(Small(check.name), response.slope or 0.0, check.unit, step)
         for check, response in list(seen.values())[:NAMED]
     )
 
 
-def _slope(what: Text, slope: float, unit: str, of: str) -> Text:
-    """`length +0.45 µm per mm`, or per 10 or 100 of it, where one unit does next to nothing."""
-    size = 1.0
-    if not LEAST <= abs(slope) < GREATEST:
-        size = 10.0 ** -math.floor(math.log10(abs(slope)))
+def _slope(what: Text, slope: float, unit: str, step: tuple[float, str]) -> Text:
+    """`length +0.2 µm per 0.5 mm`: for so much of an input as one goes on by, or tens of it where that does next to
+    nothing."""
+    size, of = step
+    while abs(slope * size) < LEAST:
+        size *= 10
     per = Name(of) if size == 1 and of else Amount(size, of)
-    return Text(
-        "{what} {slope} per {per}", what=what, slope=Amount(float(f"{slope * size:.2g}"), unit, form="+.3g"), per=per
-    )
+    moved = Amount(float(f"{slope * size:.2g}"), DIFFERENCES.get(unit, unit), form="+.3g")
+    return Text("{what} {slope} per {per}", what=what, slope=moved, per=per)
+
+
+def _step(data: "DesignTable", key: str) -> tuple[float, str]:
+    """By how much one goes on with an input, and its unit: the step of its field, or else a round tenth of what it
+    is."""
+    about, size = quantity_of(data, key), _size(data, key)
+    unit = DIFFERENCES.get(about.unit, about.unit)
+    if about.step or about.kind == "integer":
+        return about.step or 1.0, unit
+    return (10.0 ** round(math.log10(size / 10)) if size else 1.0), unit
 
 
 def _size(data: "DesignTable", key: str) -> float:

@@ -137,7 +137,7 @@ class Settings:
 
     language: str = "en"
     theme: str = ""
-    guide: bool = True
+    guide: bool = False
 
 
 class Memory:

@@ -47,6 +47,11 @@ class History:
         """The next edit is a step of its own, at the same place too."""
         self._editing = None
 
+    @property
+    def begun(self) -> bool:
+        """Whether there is anything to undo."""
+        return bool(self._undo)
+
     def past(self) -> Iterator[tuple[Table, Table]]:
         """The edits that can be taken back, the last first: the tables before and after each.  Nothing is taken back by
         this."""

@@ -2,10 +2,12 @@
 """The findings of a step: those of one cause in a row, the worst first; what is under the cursor is told in full; what
 holds is folded."""
 
+import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from rich.cells import cell_len
 from textual import events
 from textual.binding import Binding, BindingType
 from textual.content import Content
@@ -16,19 +18,26 @@ from calc.sheet.check import Check
 from calc.sheet.number import short
 from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, EMPTY, Amount, Name, Text, plural
-from calc.sheet.verdict import named, open_findings, severity
+from calc.sheet.verdict import TITLES, named, open_findings, severity
 
 from ..session.places import label_of
+from ..session.wording import worded, words_shared
 from .item_list import Item, ItemList
+from .pane import short_of_room
 from .text import bar, pad, wrap
 
 VALUE, LIMIT, MARGIN = Text("Value"), Text("Limit"), Text("Margin")
 GAP = 2  # cells between columns
+SHARED = 2  # words that are worth leaving out where they were just said
 SIGN = 2  # cells of the sign before a name
 NAMES = 26  # cells of a name at least, beside columns of numbers
+SOUGHT = "+"  # before the cause of a finding that somebody went to: it is named where others are counted
 ADVICE, METHOD, HOLD = "advice", "method", "hold"  # the keys of the rows that fold
 ADVISED = plural("{n} piece of advice", "{n} pieces of advice", n=0)
 OF_METHOD = plural("{n} on the method", "{n} on the method", n=0)
+NOTES = plural("{n} note", "{n} notes", n=0)
+CAUTIONS = plural("{n} caution", "{n} cautions", n=0)
+NOT_VERIFIED = plural("{n} not verified", "{n} not verified", n=0)
 HOLDING = plural("{n} holds", "{n} hold", n=0)
 
 
@@ -45,7 +54,11 @@ class CheckRow:
     check: Check | None = None
     others: int = 0
     inside: bool = False  # of a group, below its worst
+    counted: bool = False  # with all of its verdict, by their number
+    shared: int = 0  # words with which its name begins as the one above it
     head: Content | None = None
+    worst: Check | None = None  # of those that its head stands for
+    fold: str = ""  # the sign behind it
 
 
 @dataclass(frozen=True)
@@ -60,6 +73,11 @@ class CheckColumns:
     @property
     def numbers(self) -> bool:
         return self.value > 0
+
+    @property
+    def wide(self) -> int:
+        """All of them, with the sign before the name."""
+        return SIGN + self.name + (self.value + self.limit + 2 * GAP if self.numbers else 0) + GAP + self.margin
 
 
 class Checks(ItemList):
@@ -88,6 +106,25 @@ class Checks(ItemList):
         self.lead = EMPTY  # the sentence with which the step begins
         self.slopes: dict[str, Text] = {}  # id of a check → what moves it most
         self._clicked_at = ""
+        self.offered = False  # what mends the step is said elsewhere on the screen, with its numbers
+
+    def offer(self, offered: bool) -> None:
+        if offered != self.offered:
+            self.offered = offered
+            self.rebuild()
+
+    @property
+    def brief(self) -> bool:
+        """Whether of the finding under the cursor only its distance and what mends it is told, and of what is less bad
+        only how many there are: beside other panes, until the findings have the focus."""
+        return short_of_room(self) and self.screen.focused is not self
+
+    def on_focus(self) -> None:
+        self.rebuild()
+
+    def on_blur(self) -> None:
+        if self.is_attached:
+            self.rebuild()
 
     def show(self, outcome: Outcome[object] | None, lead: Text = EMPTY) -> None:
         if outcome is not self.outcome:
@@ -129,9 +166,11 @@ class Checks(ItemList):
 
     # --- folding
     def go_to(self, key: str, *, top: bool = False) -> bool:
-        if (check := self._by_id(key)) is not None and self.items and all(item.key != key for item in self.items):
-            self.unfolded |= {fold_of(check)}
-            self.rebuild()
+        if (check := self._by_id(key)) is not None and self.items:
+            for fold in (f"{SOUGHT}{cause(check)}", fold_of(check)):
+                if all(item.key != key for item in self.items):
+                    self.unfolded |= {fold}
+                    self.rebuild()
         return super().go_to(key, top=top)
 
     def action_unfold(self, unfold: bool) -> None:
@@ -176,6 +215,10 @@ class Checks(ItemList):
         accepted = [CheckRow(check.id, check) for check in checks if check.verdict == "accepted"]
         rows = [*self._finding_rows(self.outcome), *accepted, CheckRow("", head=Content(""))]
         open_ones = [check for check in sorted_checks(checks) if check.open]
+        notes = [check for check in open_ones if check.kind in (ADVICE, METHOD)]
+        if self.brief and self.unfolded.isdisjoint((ADVICE, METHOD)):
+            rows += self._folding_rows(ADVICE, notes, NOTES)
+            return rows + self._folding_rows(HOLD, [check for check in checks if check.verdict == "pass"], HOLDING)
         rows += self._folding_rows(ADVICE, [check for check in open_ones if check.kind == "advice"], ADVISED)
         rows += self._folding_rows(METHOD, [check for check in open_ones if check.kind == "method"], OF_METHOD)
         rows += self._folding_rows(HOLD, [check for check in checks if check.verdict == "pass"], HOLDING)
@@ -185,9 +228,32 @@ class Checks(ItemList):
         """The worst of each cause, before the others where they are unfolded; or that there is none."""
         groups = open_findings(outcome.checks)
         if not groups:
-            judges = outcome.verdict not in ("not_judged", "computed")
-            words = Text("Nothing fails here, no caution is open.") if judges else Text("No limit is judged here.")
-            return [CheckRow("", head=Content.styled(f"{' ' * SIGN}{self.app.say(words)}", "dim"))]
+            return []
+        if self.brief:
+            named = [group for group in groups if group[0].verdict == groups[0][0].verdict or self._seen(group)]
+            further = [check for group in groups if group not in named for check in group]
+            return [*self._not_repeated(self._named_rows(named)), *self._counted_rows(further)]
+        return self._named_rows(groups)
+
+    def _seen(self, group: Sequence[Check]) -> bool:
+        """Whether somebody has gone to a finding, or unfolded its group."""
+        return not self.unfolded.isdisjoint((cause(group[0]), f"{SOUGHT}{cause(group[0])}"))
+
+    def _not_repeated(self, rows: list[CheckRow]) -> list[CheckRow]:
+        """`Smallest backlash central–idler`, `… idler–shaft`."""
+        names = [self.app.say(row.check.name) if row.check is not None else "" for row in rows]
+        return [replace(row, shared=words_shared(name, before)) for row, name, before in zip(rows, names, ["", *names])]
+
+    def _counted_rows(self, checks: Sequence[Check]) -> list[CheckRow]:
+        """How many there are of each verdict, with the worst margin, before anybody looks at them."""
+        rows = []
+        for verdict in dict.fromkeys(check.verdict for check in checks):
+            alike = [check for check in checks if check.verdict == verdict]
+            worst = min(alike, key=severity)
+            rows.append(CheckRow(worst.id, worst, len(alike) - 1, counted=True))
+        return rows
+
+    def _named_rows(self, groups: Sequence[Sequence[Check]]) -> list[CheckRow]:
         rows: list[CheckRow] = []
         for worst, *others in groups:
             unfolded = cause(worst) in self.unfolded
@@ -203,9 +269,10 @@ class Checks(ItemList):
         words = self.app.say(plural(count.one, count.template, n=len(checks)))
         state = "pass" if key == HOLD else "note"
         fold = signs.mark("unfolded" if unfolded else "folded")
-        head = Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim"))
+        worst = checks[0] if key != HOLD and not unfolded else None
+        head = Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"))
         inside = [CheckRow(check.id, check, inside=True) for check in checks] if unfolded else []
-        return [CheckRow(key, head=head), *inside]
+        return [CheckRow(key, head=head, worst=worst, fold=fold), *inside]
 
     def build(self, width: int) -> list[Item]:
         outcome, say = self.outcome, self.app.say
@@ -213,13 +280,13 @@ class Checks(ItemList):
             return []
         if not outcome.checks:
             texts = {
-                "not_asked": Text("Nothing is judged here: this step is not built yet."),
+                "not_asked": Text("not built yet"),
                 "solved": Text("This step has no limits of its own."),
             }
             text = say(texts[outcome.state]) if outcome.state in texts else outcome.reason
             return [Item("", [Content.styled(row, "dim") for row in wrap(text, max(1, width))])]
         rows = self._rows_of()
-        columns = self._columns([row for row in rows if row.check is not None], width)
+        columns = self._columns(rows, width)
         keys = [row.key for row in rows if row.key]
         chosen = self.key if self.key in keys else keys[0] if keys else ""
         reasons = [
@@ -228,12 +295,13 @@ class Checks(ItemList):
             if text
         ]
         signs = self.app.signs
-        verdict = wrap(f"{signs.mark(outcome.verdict)} {say(outcome.words())}", max(1, width), SIGN)
+        words = TITLES[outcome.verdict] if self.brief and outcome.verdict in TITLES else outcome.words()
+        verdict = wrap(f"{signs.mark(outcome.verdict)} {say(words)}", max(1, width), SIGN)
         items = [*reasons, Item("", [Content.styled(row, signs.style(outcome.colour)) for row in verdict])]
         items += [Item("", [self._head(columns)])] if columns.numbers else []
         for row in rows:
             if row.check is None:
-                items.append(Item(row.key, [(row.head or Content("")).truncate(width, ellipsis=True)]))
+                items.append(Item(row.key, [self._fold_row(row, columns, width)]))
                 continue
             content = self._title_rows(row, columns)
             if row.key == chosen:
@@ -250,13 +318,25 @@ class Checks(ItemList):
         def widest(head: Text, cell: Callable[[Check], str]) -> int:
             return max([len(say(head)), *(len(cell(check)) for check in checks)])
 
-        margin = widest(MARGIN, lambda c: say(c.margin_text()))
+        margins = [say(check.margin_text()) for row in rows if (check := row.check or row.worst) is not None]
+        margin = max(map(len, [say(MARGIN), *margins]))
         value, limit = widest(VALUE, lambda c: say.number(short(c.value))), widest(LIMIT, lambda c: say(c.limit_text()))
         room = width - SIGN - value - limit - margin - 3 * GAP
         if checks and room >= NAMES:
-            longest = max(len(self._title(row)) for row in rows)
+            longest = max(len(self._title(row)) for row in rows if row.check is not None)
             return CheckColumns(min(room, max(NAMES, longest + 2)), value, limit, margin)
         return CheckColumns(max(8, width - SIGN - GAP - margin), 0, 0, margin)
+
+    def _fold_row(self, row: CheckRow, columns: CheckColumns, width: int) -> Content:
+        """What stands for several checks, with the worst of them: its margin, and its name where that has room."""
+        head = Content.assemble(row.head or "", (f" {row.fold}" if row.fold else "", "dim"))
+        if row.worst is None:
+            return head.truncate(width, ellipsis=True)
+        name, margin = (self.app.say(text) for text in (row.worst.name, row.worst.margin_text()))
+        room = columns.wide - head.cell_length - columns.margin - GAP
+        named = f" {name}" if not self.brief and cell_len(name) < room else ""
+        gap = " " * max(1, columns.wide - head.cell_length - cell_len(named) - cell_len(margin))
+        return Content.assemble(head, (f"{named}{gap}{margin}", "dim")).truncate(width, ellipsis=True)
 
     def _head(self, columns: CheckColumns) -> Content:
         say = self.app.say
@@ -268,8 +348,15 @@ class Checks(ItemList):
         assert row.check is not None
         say = self.app.say
         title = say(row.check.name)
+        if row.shared >= SHARED and row.key != self.key:  # that under the cursor is named in full
+            title = " ".join([self.app.signs.mark("more"), *title.split(" ")[row.shared :]])
         if row.check.verdict == "accepted":
             return say(Text("{check}: accepted, {reason}", check=Name(title), reason=row.check.accepted))
+        if row.counted and row.others:
+            words = NOT_VERIFIED if row.check.verdict == "not_verified" else CAUTIONS
+            return f"{say(plural(words.one, words.template, n=row.others + 1))} {self.app.signs.mark('folded')}"
+        if row.others and self.brief:
+            return f"{title} (×{row.others + 1})"
         if row.others:
             return say(Text("{name} ({n} checks)", name=Name(title), n=row.others + 1))
         return f"  {title}" if row.inside else title
@@ -308,17 +395,22 @@ class Checks(ItemList):
         style, ratio = signs.style(check.verdict), check.share
         first: list[Content | tuple[str, str] | str] = [indent, say(held if ratio is not None else against)]
         if ratio is not None:
-            first += ["  ", bar(ratio, signs, style), "  ", (say(check.margin_text()), style)]
-        rows = [Content.assemble(*first)]
+            first += ["  ", bar(check.value, *check.bounds, signs, style), "  ", (say(check.margin_text()), style)]
+        rows = [] if math.isnan(check.value) else [Content.assemble(*first)]
 
         def tell(words: str, style: str = "") -> None:
-            rows.extend(Content.styled(indent + row, style) for row in wrap(words, room))
+            rows.extend(Content.styled(indent + row, style) for row in wrap(worded(words, say), room) if row)
 
+        advice = say(check.to_do).removeprefix(say(check.ways_text())).strip()
+        if self.brief:  # what comes next is no more than a key away
+            if not (self.offered and check.verdict == "fail"):
+                tell(advice or say(check.lack_text(self._label)))
+            return rows
         if beyond := self._beyond(check):
             tell(say(Text("outside the validity of its formula: {methods}", methods=named(beyond))))
         if lack := check.lack_text(self._label):
             tell(say(lack))
-        if advice := say(check.to_do).removeprefix(say(check.ways_text())).strip():
+        if advice:
             tell(advice)
         if check.open and check.remedies:
             ways = Name("; ").join(remedy.words for remedy in check.remedies)

@@ -28,6 +28,7 @@ from ..session.guide import DOCUMENT, NAME, NOTE, idle
 from ..session.places import Place, key_at, original_of, owner
 from ..session.session import Session
 from .entry import AUTO, Choice, Entry
+from .pane import short_of_room
 from .rows import RADIUS, FormRow, allowed, meaning
 from .text import fit, pad, wrap
 
@@ -96,8 +97,11 @@ class Field(Widget):
     def explained(self) -> tuple[str, str, str]:
         """What the foot of the form says about it."""
         locked, say = self.session.lock_reason(self.place), self.app.say
-        explanation = meaning(self.about, say)
-        text = f"{say(Text('Locked: {reason}', reason=locked))}. {explanation}".strip() if locked else explanation
+        brief = short_of_room(self)
+        explanation = meaning(self.about, say, brief=brief)
+        if locked:
+            explanation = f"{say(Text('Locked: {reason}', reason=locked))}. {'' if brief else explanation}".strip()
+        text = explanation
         if engine := self._sample():
             still = Text("Still of {engine}, with which this design began: type your own.", engine=Name(engine))
             text = f"{say(still)} {text}"
@@ -275,7 +279,9 @@ class Field(Widget):
         if self.cell:
             return [""], []
         # a blank before it and one behind
-        label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2)
+        label = wrap(self.about.label, room := (LABEL_NARROW if width >= NARROW else LABEL) - 2)
+        if len(label) > 1 and (brief := self.app.say(self.about.brief)):
+            label = wrap(f"{brief[:1].upper()}{brief[1:]}", room)
         mark = self.app.signs.mark("invalid")
         return label, wrap(f"{mark} {self.app.say(self.reason)}", width - 3, 2) if self.reason else []
 

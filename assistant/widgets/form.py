@@ -27,19 +27,21 @@ from calc.sheet.text import COMMA, EMPTY, Name, Text, plural
 
 from ..base_app import BaseApp
 from ..session import numbers
-from ..session.guide import FIRST, GUIDES, fold_at, taken_over
+from ..session.guide import FIRST, FOLD, GUIDES, fold_at, taken_over
 from ..session.places import OF_SHAFT, SHAFTS, Place, content_at
 from ..session.session import Session
 from .entry import Choice, Entry
 from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, sides
 from .headings import ArrayHeading, Fold, ShaftsHeading, TableHeading
 from .item_list import Item, ItemList
+from .pane import short_of_room
 from .radio import Balance, Radio, Todo
-from .rows import RADIUS, Asked, FormRow, routed
+from .rows import ALL, EARLIER, RADIUS, Asked, FormRow, routed
 from .text import fit, wrap
 
 # --- at the head of a form
-# The question of the step, and what a good answer looks like or, where a check fails, what to try.
+# The question of the step; until it is built, or where the user wants it, what a good answer looks like or, where a
+# check fails, what to try.
 
 
 class GuideText(Static):
@@ -48,8 +50,7 @@ class GuideText(Static):
     def __init__(self, session: Session, step: str) -> None:
         super().__init__(classes="guide")
         self.session, self.step = session, step
-        self._shown: tuple[Text, Text] | None = None
-        self._guiding = True
+        self._shown: tuple[Text, Text, bool] | None = None
 
     def on_mount(self) -> None:
         self.redraw()
@@ -66,11 +67,11 @@ class GuideText(Static):
         guide, results = GUIDES[self.step], self.session.results
         fails = results is not None and results.outcomes[self.step].verdict in ("fail", "no_solution")
         word, text = (Text("Try"), guide.trying) if fails else (Text("Good"), guide.good)
-        still = self._still()
-        if (word, still) != self._shown or self.app.guiding != self._guiding:
-            self._shown, self._guiding = (word, still), self.app.guiding
+        still, guiding = self._still(), self.app.guiding or not asks(self.session.data, self.step)
+        if self._shown != (word, still, guiding):
+            self._shown = word, still, guiding
             question = Content.assemble((say(guide.question), "bold"), (f"\n{say(still)}" if still else "", "dim"))
-            self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if self._guiding else question)
+            self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if guiding else question)
 
 
 # --- what a step takes over from the steps before it
@@ -90,9 +91,7 @@ class Taken(ItemList):
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
         say = self.app.say
-        return say(Text("From earlier steps")), say(
-            Text("Enter, or typing a number, goes to the step that owns the value.")
-        )
+        return say(EARLIER), say(Text("Enter, or typing a number, goes to the step that owns the value."))
 
     def build(self, width: int) -> list[Item]:
         items = []
@@ -129,9 +128,7 @@ class Taken(ItemList):
                 Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}")
             )
         if items:
-            items.insert(
-                0, Item("", [Content(""), Content.styled(self.app.say(Text("From earlier steps")), "bold dim")])
-            )
+            items.insert(0, Item("", [Content(""), Content.styled(self.app.say(EARLIER), "bold dim")]))
         return items
 
     def on_key(self, event: events.Key) -> None:
@@ -168,7 +165,8 @@ class FormParts:
             parts.append((("todo",), lambda: Todo(session, key)))
         if self.there:
             parts += [(identity(row), partial(self._widget, row)) for row in rows]
-            parts.append((("taken",), lambda: Taken(session, key)))
+            if all(row.place[-1] != f"{FOLD}{ALL}" for row in rows):  # behind which it lies too
+                parts.append((("taken",), lambda: Taken(session, key)))
         return parts
 
     def rows(self, asked: Asked, opened: set[int]) -> list[FormRow]:
@@ -275,6 +273,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self._ahead: list[events.Key] = []  # struck while the form is put in order
         self._identities: dict[Widget, Identity] = {}
         self._sides = 1, 1
+        self._gathers = False
         self._parts = FormParts(step, session, self.app.say)
 
     # --- content
@@ -299,7 +298,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.opened |= {n for place in places if (n := self._parts.fold(place)) is not None}
         editing = [field.place] if field is not None else []
         chosen = {**self.chosen, SHAFTS: self.session.shaft}
-        return self._parts.rows(Asked(chosen, [*editing, *reasons], *self._sides), self.opened)
+        self._gathers = short_of_room(self)
+        return self._parts.rows(Asked(chosen, [*editing, *reasons], *self._sides, self._gathers), self.opened)
 
     def refresh_fields(self, reasons: dict[Place, Text]) -> None:
         """Show what the session says; a design of another shape gets a form of another shape."""
@@ -344,7 +344,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                     child.rebuild()
 
     def on_resize(self, event: events.Resize) -> None:
-        if (found := sides(event.size.width)) != self._sides:
+        if (found := sides(event.size.width)) != self._sides or self._gathers != short_of_room(self):
             self._sides = found
             self.rebuild()
 
@@ -590,7 +590,11 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     def on_fold_turned(self, event: Fold.Turned) -> None:
         n = int(str(event.fold.row.place[-1]))
-        self.opened = self.opened | {n} if event.open else self.opened - {n}
+        if n == ALL:
+            self.opened.add(ALL)
+            self.rebuild((self.step.key, f"{FOLD}0"))
+            return
+        self.opened = self.opened | {n} if event.open else self.opened - {n} | {ALL}  # those beside it stay in sight
         self.refresh_fields(self.session.reasons())
 
     def on_item_list_chosen(self, event: ItemList.Chosen) -> None:

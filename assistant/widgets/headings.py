@@ -27,7 +27,8 @@ from ..session.guide import DOCUMENT, NOTE
 from ..session.places import BEARINGS, NAME, SHAFTS, content_at, original_of, twin_words, with_bearings
 from ..session.session import Session
 from .entry import LEAVING
-from .rows import FormRow, heading_help
+from .pane import short_of_room
+from .rows import ALL, FormRow, heading_help
 from .text import fit, pad
 
 TALL = 30  # rows of a screen that has room for a table of the elements
@@ -44,7 +45,7 @@ def keyed(app: BaseApp, words: Text, **more: str) -> Text:
 
 
 class ArrayHeading(Widget, can_focus=True):
-    """`◂ 2 of 4: central ▸` of a long array, over a table of what its elements must have; `2` of a short one that
+    """`◂ 2/4 central ▸` of a long array, over a table of what its elements must have; `2` of a short one that
     stands there whole."""
 
     app: BaseApp
@@ -121,8 +122,10 @@ class ArrayHeading(Widget, can_focus=True):
             for key, about in known.items()
             if not about.optional and about.kind not in ("table", "tables") and key != "name"
         ]
-        if not (items := self.items()) or not columns:
-            return []
+        items = self.items()
+        words_alone = all(isinstance(item.get(key), str) for item in items for key in columns)
+        if not items or not columns or (words_alone and short_of_room(self)):
+            return []  # of words alone those of the element in view stand in its fields
         labels = [_headed(self.app.say(known[key].label), self.app.say(known[key].unit)) for key in columns]
         return [
             ("", *labels),
@@ -171,8 +174,8 @@ class ArrayHeading(Widget, can_focus=True):
         if shown is None or shown >= len(names):
             middle: list[Content | str | tuple[str, str]] = [(f"  {len(names)}", "dim")]
         else:
-            name = f" {names[shown]}" if names[shown] != str(shown + 1) else ""
-            text = f" {self.app.say(Text('{n} of {count}', n=shown + 1, count=len(names)))}{name} "
+            name = "" if self.cells() else str(self._elements()[shown].get("name", ""))  # which the table marks
+            text = f" {shown + 1}/{len(names)} {name} " if name else f" {shown + 1}/{len(names)} "
             middle = [
                 "  ",
                 self._link(before, "leaf(-1)"),
@@ -371,7 +374,7 @@ class Fold(Widget, can_focus=True):
         open: bool
 
     def __init__(self, row: FormRow, session: Session) -> None:
-        super().__init__(classes="" if row.place[-1] == "+0" else "-further")
+        super().__init__(classes="" if row.place[-1] in ("+0", f"+{ALL}") else "-further")
         self.row = row
         self.session = session
         self._looks: tuple[object, ...] = ()
@@ -386,7 +389,8 @@ class Fold(Widget, can_focus=True):
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
         does = self.app.say(self.CLOSES if self.row.open else self.OPENS)
-        return str(self.row.about.label), f"{does} {', '.join(self._names())}."
+        names = self.app.say(self.row.about.help) or ", ".join(self._names())
+        return str(self.row.about.label), f"{does} {names}."
 
     def _title(self) -> str:
         """How many inputs lie in it, and how many of them are left to the program."""
@@ -408,9 +412,7 @@ class Fold(Widget, can_focus=True):
 
     def render(self) -> Content:
         mark = self.app.signs.mark("unfolded" if self.row.open else "folded")
-        title = f" {mark} {self._title()}"
-        rest = "" if self.row.open else fit(f": {', '.join(self._names())}", max(0, self.size.width - len(title) - 1))
-        return Content.assemble((title, "bold"), (rest, "dim"))
+        return Content.styled(fit(f" {mark} {self._title()}", self.size.width), "bold")
 
     def action_turn(self, open: bool | None = None) -> None:
         wanted = not self.row.open if open is None else open

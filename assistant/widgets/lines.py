@@ -3,7 +3,7 @@
 
 The message is why an input is not accepted, what a step waits for, or a finding, that under the cursor or the worst."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from textual.content import Content
@@ -14,7 +14,7 @@ from calc.design.key_results import judged
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.step import Outcome
-from calc.sheet.text import COMMA, EMPTY, Amount, Small, Text
+from calc.sheet.text import COMMA, EMPTY, Amount, Name, Small, Text
 from calc.studies.ready import StepState
 
 from ..actions import ACTIONS, BY_ID, Action
@@ -22,8 +22,9 @@ from ..base_app import BaseApp
 from ..session.guide import step_of, title_of
 from ..session.places import Place, described, label_of, named_key
 from ..session.session import Session
+from ..session.wording import not_repeated, worded
 from .rows import RADIUS, TWICE
-from .steps import nothing_left, ready_words, states_of, verdict_of, whole_of
+from .steps import nothing_left, ready_words, states_of, verdict_of, whole_of, worst_words
 from .text import fit, wrap
 
 if TYPE_CHECKING:
@@ -45,17 +46,18 @@ class MessageLine(Widget):
         self.finding = ""  # the check under the cursor, where the findings have the focus
         self.trouble = ""  # the step that fails
         self.remedy: NearestRemedy | None = None  # its remedy, as soon as it is known
-        self._shown: tuple[str, ...] = ()
+        self.beside = False  # the findings of the step stand on the screen: what they say is not said twice
+        self._shown: tuple[object, ...] = ()
 
     def redraw(self) -> None:
         """Draw anew if there is something new to draw."""
-        shown = (*self.message(), self.offer())
+        shown = (*self.message(), self.offer(), self.beside)
         if shown != self._shown:
             self._shown = shown
             self.refresh()
 
-    def message(self) -> tuple[str, str]:
-        """The state and the text."""
+    def message(self, *, brief: bool = False) -> tuple[str, str]:
+        """The state and the text; `brief`: of a check without what is to be done about it."""
         session, say = self.session, self.app.say
         if lacking := session.lacking:
             labels = COMMA.join(map(self._label, sorted(lacking, key=_order)))
@@ -71,12 +73,12 @@ class MessageLine(Widget):
             return outcome.state, say(outcome.reason)
         chosen = next((check for check in outcome.checks if check.id == self.finding), None)
         if chosen is not None:
-            return judged(chosen), self._check(chosen)
+            return judged(chosen), self._check(chosen, brief)
         states = states_of(session)
         ahead = self._ahead(states)
         if ahead and outcome.verdict == "not_verified" and nothing_left(states, self.step):
             return "todo", say(ahead)
-        if urgent := self._urgent_here(outcome) or self._urgent_anywhere(session.results):
+        if urgent := self._urgent_here(outcome, brief) or self._urgent_anywhere(session.results, brief):
             return urgent
         if ahead:
             return "todo", say(ahead)
@@ -102,27 +104,27 @@ class MessageLine(Widget):
             mistake = Text("{mistake}  ({n} in all)", mistake=mistake, n=len(reasons))
         return step + self.app.say(Text("{mistake}. The results are those of the last valid input.", mistake=mistake))
 
-    def _urgent_here(self, outcome: Outcome[object]) -> tuple[str, str] | None:
+    def _urgent_here(self, outcome: Outcome[object], brief: bool) -> tuple[str, str] | None:
         """The worst finding of this step, and how many there are."""
         if not outcome.checks or (worst := outcome.causes[0][0]).verdict not in URGENT:
             return None
         urgent, count = sum(check.verdict in URGENT for check in outcome.checks), len(outcome.checks)
         more = "  " + self.app.say(Text("({n} of {count} checks here)", n=urgent, count=count)) if urgent > 1 else ""
-        return worst.verdict, self._check(worst) + more
+        return worst.verdict, self._check(worst, brief) + ("" if brief else more)
 
-    def _urgent_anywhere(self, results: "Results") -> tuple[str, str] | None:
+    def _urgent_anywhere(self, results: "Results", brief: bool) -> tuple[str, str] | None:
         """What fails in another step, else what is not solved, else what is open."""
         outcomes = [(step.key, results.outcomes[step.key]) for step in STEPS]
         worst = [(key, outcome.causes[0][0]) for key, outcome in outcomes if outcome.checks]
         for key, check in worst:
             if check.verdict == "fail":
-                return "fail", self._title(key) + self._check(check)
+                return "fail", self._title(key) + self._check(check, brief)
         for key, outcome in outcomes:
             if outcome.state in ("blocked", "no_solution"):
                 return outcome.state, self._title(key) + self.app.say(outcome.reason)
         for key, check in worst:
             if check.verdict in URGENT:
-                return check.verdict, self._title(key) + self._check(check)
+                return check.verdict, self._title(key) + self._check(check, brief)
         return None
 
     def _title(self, key: str) -> str:
@@ -148,7 +150,7 @@ class MessageLine(Widget):
         key = self.app.shown_key("build_all")
         return Text("{ahead} {key} builds all {count} that are left by rules.", ahead=ahead, key=key, count=len(todo))
 
-    def _check(self, check: Check) -> str:
+    def _check(self, check: Check, brief: bool = False) -> str:
         soft = check.kind in ("advice", "method")
         needs = Text("only just") if check.narrow else Text("should be") if soft else Text("needs")
         parts = {
@@ -158,34 +160,63 @@ class MessageLine(Widget):
             "limit": check.limit_text(),
         }
         text = Text("{check} {value}, {needs} {limit}", **parts)
-        return self.app.say(Text("{check}. {advice}", check=text, advice=check.to_do) if check.to_do else text)
+        brief = brief or not check.to_do
+        text = text if brief else Text("{check}. {advice}", check=text, advice=check.to_do)
+        return worded(self.app.say(text), self.app.say)
 
-    def offer(self) -> str:
-        """Where to find what would help the step that fails, and the nearest design that passes."""
+    def offer(self, width: int = 1000) -> str:
+        """Where to find what would help the step that fails: the changes of the nearest design that passes, or as many
+        of them as have room, never half of one."""
         if self.remedy is None or not self.session.valid:
             return ""
         key, say = self.app.shown_key("fix"), self.app.say
         where = "" if self.trouble == self.step else self._title(self.trouble)
-        if not self.remedy.changes:
-            return where + say(Text("{key} shows what would help", key=key))
+        least = where + say(Text("{key} shows what would help", key=key))
         then = self.app.signs.mark("then")
-        shown = Text("{key} shows what would help: {change}", key=key, change=self.remedy.words)
-        return f"{where}{say(shown).replace('→', then)} {then} {say(self.remedy.said)}"
+        for words in self._shorter(self.remedy, whole=not where):
+            longest = where + say(Text("{key}: {change}", key=key, change=words)).replace("→", then)
+            if len(longest) <= width:
+                return longest
+        return least
+
+    def _shorter(self, remedy: "NearestRemedy", whole: bool) -> Iterator[Text]:
+        """What a remedy changes, and, `whole`, what the step then is; shorter and shorter."""
+        parts = not_repeated([self.app.say(words) for words in remedy.each])
+        for count in range(len(parts), 0, -1):
+            words: Text = Name(", ".join(parts[:count]))
+            if more := len(parts) - count:
+                words = Text("{changes}, and {n} more", changes=words, n=more)
+            if whole:
+                yield Text("{changes} → {state}", changes=words, state=remedy.said)
+            yield words
 
     def render(self) -> Content:
-        state, text = self.message()
-        signs = self.app.signs
-        if state != "invalid" and (offer := self.offer()):
-            width = max(10, self.size.width - 4)
-            title = self._title(self.trouble)
-            rows = [fit(text, width), fit(offer.removeprefix(title) if text.startswith(title) else offer, width)]
-            return Content.assemble((f" {signs.mark(state)} {rows[0]}", signs.style(state)), f"\n   {rows[1]}")
-        rows = wrap(text, max(10, self.size.width - 4), 0)
-        if len(rows) > ROWS:
-            rows[ROWS - 1] = fit(rows[ROWS - 1] + " " + rows[ROWS], max(10, self.size.width - 4))
-        mark = signs.mark(state)
-        lines = [f" {mark} {rows[0]}", *(f"   {row}" for row in rows[1:ROWS])]
-        return Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)
+        signs, width = self.app.signs, max(10, self.size.width - 4)
+        state, text = self.message(brief=self.beside)
+        offer = self.offer(width) if state != "invalid" else ""
+        if self.beside and offer:
+            state, text, offer = "fail", offer, ""
+        elif self.beside and self._stands_beside():
+            state, text = "todo", self.app.say(self._ahead(states_of(self.session)))
+        title = self._title(self.trouble)
+        offer = offer.removeprefix(title) if text.startswith(title) else offer
+        room = ROWS - bool(offer)
+        if len(wrap(text, width)) > room:  # sooner the check alone than half of what is to be done about it
+            state, text = self.message(brief=True)
+        rows = wrap(text, width)
+        if len(rows) > room:
+            rows = [*rows[: room - 1], fit(" ".join(rows[room - 1 :]), width)]
+        lines = [f" {signs.mark(state)} {rows[0]}" if text else "", *(f"   {row}" for row in rows[1:])]
+        told = Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)
+        return Content.assemble(told, f"\n   {offer}") if offer else told
+
+    def _stands_beside(self) -> bool:
+        """Whether the message is the finding at the head of those of this step, or that under the cursor there."""
+        results = self.session.results
+        if self.session.lacking or self.session.reasons() or self.session.failure or results is None:
+            return False
+        checks = results.outcomes[self.step].checks
+        return bool(self.finding) or any(check.verdict in URGENT for check in checks)
 
 
 def _order(place: Place) -> int:
@@ -232,8 +263,11 @@ class TopLine(Widget):
         _, colour, words = verdict_of(self.session)
         if not words:
             return []
+        if self.screen.has_class("-wide"):  # the list of the steps says the rest
+            return [(say(worst_words(self.session)), dim + signs.style(colour))]
+        verdict = say(words), dim + signs.style(colour)
         ready = say(Text("ready")), dim + signs.style(all_of_it.state)
-        return [(say(words), dim + signs.style(colour)), ready if all_of_it.ready else (say(all_of_it.words), "dim")]
+        return [verdict, ready if all_of_it.ready else (say(all_of_it.words), "dim")]
 
     def render(self) -> Content:
         session, signs, say = self.session, self.app.signs, self.app.say
@@ -259,7 +293,7 @@ class TopLine(Widget):
         verdict, state = self._verdict(dim), self.state(short)
         if self.app.writing:
             verdict = [*([] if short else verdict), (say(self.app.writing), "bold")]
-        before = (0 if short else 15) + (len(state) + 2 if state else 0)
+        before = len(state) + 2 if state else 0
         when = [(time, "dim")] if time else []
         shorter = verdict if session.current else [*verdict[:1], *when]  # nobody needs to know how long it took
         for parts in ([*verdict, *when], shorter, verdict[:1] or when):
@@ -268,8 +302,7 @@ class TopLine(Widget):
                 break
         room = max(8, width - end.cell_length - 1 - before)
         start = Content.assemble(
-            ("" if short else " Contralbero   "),
-            " " if short else "",
+            " ",
             (fit(session.name, room), "bold"),
             f" {state}" if state else "",
         )
@@ -281,7 +314,8 @@ class TopLine(Widget):
 
 # What goes first where there is not room for all, after what does nothing here.  F4 leads to the curve, and narrow to
 # every pane.
-SPARED = ("variant", "curve", "choose", "trouble")
+SPARED = ("pane", "back", "quit", "variant", "curve", "choose", "trouble")
+ALWAYS = 3  # of these, on a wide screen, where panes and steps stand in sight
 SPARED_NARROW = (
     "variant",
     "choose",
@@ -317,7 +351,7 @@ class FooterLine(Widget):
         width = self.size.width
         wide = width >= 100
         spared = [*self.idle, *(SPARED if wide else SPARED_NARROW)]
-        least = 0 if wide else len(self.idle) + 1
+        least = len(self.idle) + (ALWAYS if wide else 1)
         for gap, count in ((2, least), *((1, n) for n in range(least, len(spared) + 1))):
             shown = [a for a in ACTIONS if a.footer and a.id not in spared[:count] and (self.leafs or not a.first)]
             end = self._part(BY_ID["palette"]) if BY_ID["palette"] in shown else Content("")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A part of the screen with a title, which says whether it has the focus."""
 
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from rich.cells import cell_len
 from textual.containers import Vertical
@@ -12,8 +12,12 @@ from textual.widgets import Static
 from ..base_app import BaseApp
 from .text import fit, wrap
 
-if TYPE_CHECKING:
-    pass
+
+def short_of_room(widget: Widget) -> bool:
+    """Whether a widget shares the screen with other panes that are no wider than they must be.  It then says what
+    matters; the rest where it fills the screen, or on a very wide one."""
+    alone = any(node.has_class("-single") for node in widget.ancestors_with_self if isinstance(node, Pane))
+    return widget.screen.has_class("-wide") and not alone
 
 
 class Pane(Vertical):

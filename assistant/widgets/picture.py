@@ -27,7 +27,7 @@ RATE = 10.0  # times a second
 KEPT = 40  # drawings; a whole turn
 WAITS = Text("The picture waits for the results of the step {step}.")
 FAILED = Text("The picture of this step cannot be drawn.")
-MORE = Text("other pictures: , and . here")
+MORE = Text(", . other pictures")
 
 
 class Picture(Widget, can_focus=True):
@@ -138,7 +138,9 @@ def sketch_of(
     if not step or design is None:
         return EMPTY
     outcome = results.outcomes.get(step) if results is not None else None
-    if getattr(design, step) is None or outcome is None or outcome.result is None:
+    if getattr(design, step) is None:
+        return EMPTY  # it is not built yet, as the form says
+    if outcome is None or outcome.result is None:
         return Text(WAITS.template, step=TITLES[step])
     make: Callable[..., Sketch] = import_module(f"calc.{step}.sketch").sketch
     sketch = make(design, results)

@@ -39,12 +39,11 @@ class Radio(ItemList, inherit_bindings=False):
 
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
-        say = self.app.say
-        return say(GUIDES[self.step].question), say(self.enter())
+        return "", self.app.say(self.enter())  # its question stands above it
 
     def enter(self) -> Text:
         """What Enter does with the row under the cursor."""
-        return Text("↑ ↓ choose, Enter takes it; undo takes it back.")
+        return Text("↑ ↓ choose, Enter takes it.")
 
     def action_take(self) -> None:
         self.choose()

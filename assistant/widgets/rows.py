@@ -5,6 +5,7 @@ A table that may be left out has fields only where it is there. Elements stand s
 array stands there whole, and of a long one only one element does: its heading leafs through them.  The stroke is asked
 for in place of the crank radius, which is half of it."""
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -19,13 +20,14 @@ from calc.engine.inputs import EngineInputs
 from calc.locale import Language
 from calc.sheet.quantity import THUMB, Quantity, dotted, keys
 from calc.sheet.step import Step
-from calc.sheet.text import Amount, Name, Text
+from calc.sheet.text import COMMA, Amount, Name, Small, Text
 
 from ..base_app import BaseApp
 from ..session.guide import (
     DOCUMENT,
     FIRST,
     FOLD,
+    MORE,
     NAME,
     NOTE,
     STROKE,
@@ -38,6 +40,8 @@ from ..session.guide import (
     of_twin,
 )
 from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described, with_bearings
+from ..session.wording import sentences, worded
+from .pane import short_of_room
 from .text import fit, wrap
 
 LAST = 99  # the rank of what stands behind all that decides
@@ -77,7 +81,9 @@ class FormRow:
 
 @dataclass(frozen=True)
 class Asked:
-    """`chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there:
+    """`gather`: all folds stand behind one, until one of them is open.
+
+    `chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there:
     the one that is being edited and has just been emptied, and those in which something is not accepted.  `side`: how
     many elements fit side by side; `short`: how many inputs, where their unit has two letters at most."""
 
@@ -85,6 +91,11 @@ class Asked:
     held: Sequence[Place] = ()
     side: int = 1
     short: int = 1
+    gather: bool = False
+
+
+ALL = 99  # the number of the fold that all folds lie behind, and what is taken over
+EARLIER = Text("From earlier steps")
 
 
 def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[FormRow]:
@@ -108,7 +119,19 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
                 FormRow("fold", (step.key, f"{FOLD}{n}"), Quantity("table", title), inside=inside, open=n in opened)
             )
             ordered += inside if n in opened else []
-    return [*ordered, *_document(data, asked, opened)] if step.key == FIRST else ordered
+    ordered += _document(data, asked, opened) if step.key == FIRST else []
+    return ordered if opened or not asked.gather else _gathered(step.key, ordered)
+
+
+def _gathered(step: str, rows: list[FormRow]) -> list[FormRow]:
+    """Rows with all their folds, which are shut, behind one."""
+    shut = [row for row in rows if row.kind == "fold"]
+    if len(shut) < 2:
+        return rows
+    parts = [*(row.about.label for row in shut), *([Small(EARLIER)] if step != FIRST else [])]
+    about = Quantity("table", MORE, help=COMMA.join(parts))
+    inside = tuple([inner for row in shut for inner in row.inside])
+    return [*(row for row in rows if row.kind != "fold"), FormRow("fold", (step, f"{FOLD}{ALL}"), about, inside=inside)]
 
 
 def _rank(row: FormRow, step: str, data: Table) -> int:
@@ -287,9 +310,11 @@ def _titled(about: Quantity, element: object) -> Quantity:
 # What the field that has the focus means, and what is usual there.
 
 
-def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:
-    """What a quantity means and what is usual; `sourced`: with the source in brackets, behind the usual range or else
-    the meaning."""
+def meaning(about: Quantity, say: Language, *, sourced: bool = True, brief: bool = False) -> str:
+    """What a quantity means and what is usual, which stands behind the first sentence; `brief`: no more than that.
+
+    `sourced`: with the source in brackets, behind the usual range or else the meaning; that there is none F1 says."""
+    sourced = sourced and not brief and about.source is not THUMB
     source = f" ({say(about.source)})" if sourced and about.source else ""
     words, usual = say(about.help), ""
     if about.usual:
@@ -297,7 +322,8 @@ def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:
         usual = f"{say(Text('Usual {low} to {high}', low=Amount(low), high=Amount(high, about.unit)))}{source}."
     elif words and source:
         words = f"{words.removesuffix('.')}{source}."
-    return " ".join(part for part in (words, usual) if part)
+    first, *others = sentences(words) or [""]
+    return " ".join(part for part in (first, usual, *([] if brief else others)) if part)
 
 
 def allowed(about: Quantity, say: Language) -> str:
@@ -312,12 +338,21 @@ def heading_help(about: Quantity, keys: Text, reason: Text, app: BaseApp) -> tup
     return about.label, f"{app.signs.mark('invalid')} {app.say(reason)}. {text}" if reason else text
 
 
-def foot(words: str, rest: str, more: str, width: int, height: int) -> list[str]:
-    """What is said in so many rows; `rest` behind it where all of it has room, `more` where the last row has."""
+BRACKETS = re.compile(r" \([^()]*\)")
+
+
+def foot(parts: Sequence[str], more: str, width: int, height: int) -> list[str]:
+    """As many whole sentences as go into so many rows, sooner without their brackets than not at all; `more` where the
+    last row has room for it."""
+    words = ""
+    for part in parts:
+        for shorter in (part, BRACKETS.sub("", part)):
+            longer = f"{words} {shorter}".strip()
+            if not words or len(wrap(longer, width)) <= height:
+                words = longer
+                break
     rows = wrap(words, width)
-    if rest and len(longer := wrap(f"{words} {rest}", width)) <= height:
-        rows = longer
-    if len(rows) > height:
+    if len(rows) > height:  # the first alone is too long
         rows = rows[:height]
         rows[-1] = fit(rows[-1] + " …", width - len(more))
     if len(rows[-1]) + len(more) <= width:
@@ -336,15 +371,23 @@ class FieldHelp(Widget):
         self.moves = ""
 
     def show(self, title: str, text: str, rest: str = "", moves: str = "") -> None:
-        """`moves`, what the field moves, stands behind what it means and what is usual; `rest` where there is room for
-        all of it."""
+        """What a field means and what is usual, then what it `moves`, then what else there is to say, and the `rest`:
+        as far as there is room.  Where it is short, the title only if nothing else is said: the cursor stands
+        there."""
         self.title, self.text, self.rest, self.moves = title, text, rest, moves
         self.refresh()
 
     def render(self) -> Content:
-        if not self.title:
+        if not self.title and not self.text:
             return Content("")
-        words = ": ".join(filter(None, (self.title, " ".join(filter(None, (self.text, self.moves))))))
+        short = short_of_room(self)
+        told = sentences(worded(self.text, self.app.say))
+        if self.title and not (short and told):
+            told = [f"{self.title}: {told[0]}" if told else self.title, *told[1:]]
+        moves = self.moves.partition(";")[0].rstrip(".") + "." if self.moves and short else self.moves
+        parts = [part for part in (*told[:2], moves, *told[2:], "" if short else self.rest) if part]
         more = self.app.say(Text("{key} more", key=self.app.shown_key("help")))
-        rows = foot(words, self.rest, f"  {more}", max(10, self.size.width - 2), self.size.height)
+        rows = foot(
+            parts, f"  {more}" if self.title and not short else "", max(10, self.size.width - 2), self.size.height
+        )
         return Content.styled("\n".join(" " + row for row in rows), "dim")

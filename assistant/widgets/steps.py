@@ -4,6 +4,7 @@
 Sign, number and title, the state in words, the value that decides with its bar; at the end, whether all is ready."""
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from textual.content import Content
 from textual.style import Style
@@ -11,6 +12,7 @@ from textual.widget import Widget
 
 from calc.design.model import STEPS
 from calc.sheet.text import EMPTY, SEMICOLON, Text, plural
+from calc.sheet.verdict import TITLES
 from calc.studies.ready import SOLVED, Readiness, StepState, readiness, whole
 
 from ..actions import BY_ID
@@ -22,7 +24,11 @@ from .item_list import Item, ItemList
 from .signs import Signs
 from .text import bar, fit, wrap
 
+if TYPE_CHECKING:
+    from calc.studies.headlines import Headline
+
 READY = "ready"  # the key of the row behind the steps
+QUIET = ("pass", "computed")  # states that their sign says
 INDENT = "  "
 
 
@@ -50,6 +56,16 @@ def verdict_of(session: Session) -> tuple[str, str, Text]:
     if (results := session.results) is None:
         return "waits", "waits", EMPTY
     return results.verdict, results.colour, results.words()
+
+
+def worst_words(session: Session) -> Text:
+    """`FAIL: 2 failed`: the state and the worst that is open; what else is, its steps and Ready say."""
+    state, _, words = verdict_of(session)
+    results = session.results
+    lost = results is None or any(o.state in ("blocked", "no_solution") for o in results.outcomes.values())
+    if results is None or lost or state not in TITLES or len(results.counts.words) < 2:
+        return words
+    return Text("{state}: {open}", state=TITLES[state], open=results.counts.words[0][1])
 
 
 def ready_words(session: Session) -> Text:
@@ -94,7 +110,7 @@ class Steps(ItemList):
         gap = " " * max(1, width - 2 - len(title) - len(end) - 1)
         style = signs.style(state.colour)
         loud = "dim" if state.colour in ("pass", "computed") else style
-        words = wrap(say(state.words), room)
+        words = wrap(say(open_), room) if state.colour not in QUIET and (open_ := self._open(state)) else []
         if state.state not in SOLVED:  # a reason, which is told in full elsewhere
             words = [fit(say(state.words), room)]
         rows = [
@@ -103,23 +119,33 @@ class Steps(ItemList):
             ),
             *(Content.assemble(INDENT, (row, loud)) for row in words),
         ]
-        results = self.session.results
-        shown = None
-        if results is not None and state.state in SOLVED:
-            from calc.studies.headlines import headline  # with numpy
-
-            shown = headline(results, state.key)
-        if shown is not None:
+        if (shown := self._headline(state)) is not None:
             long, brief = (say(text).replace("→", signs.mark("then")) for text in (shown.text, shown.brief))
             rows += [Content(INDENT + row) for row in wrap(long if len(long) <= room else brief, room)]
             if shown.share is not None and shown.check is not None:
-                verdict = signs.style(shown.check.verdict)
-                rows.append(
-                    Content.assemble(
-                        INDENT, bar(shown.share, signs, verdict), (f" {say(shown.check.margin_text())}", verdict)
-                    )
-                )
+                check, verdict = shown.check, signs.style(shown.check.verdict)
+                drawn = bar(check.value, *check.bounds, signs, verdict)
+                rows.append(Content.assemble(INDENT, drawn, (f" {say(check.margin_text())}", verdict)))
         return rows
+
+    def _open(self, state: StepState) -> Text:
+        """The worst that is open in a step, by its number: what else is, its findings say.  Nothing where that is the
+        one that its headline names."""
+        results = self.session.results
+        if results is None or state.state not in SOLVED or not (open_ := results.outcomes[state.key].counts.words):
+            return state.words
+        shown = self._headline(state)
+        named = shown is not None and shown.check is not None and shown.check.verdict == state.state == "not_verified"
+        (_, words), count = open_[0], results.outcomes[state.key].counts.not_verified
+        return EMPTY if named and count == 1 else words
+
+    def _headline(self, state: StepState) -> "Headline | None":
+        results = self.session.results
+        if results is None or state.state not in SOLVED:
+            return None
+        from calc.studies.headlines import headline  # with numpy
+
+        return headline(results, state.key)
 
     def _ready(self, width: int) -> list[Content]:
         """The last row: whether all is done, or what is left."""
@@ -155,9 +181,6 @@ class StepBar(Widget):
             several = {"countershaft": Text("Shafts")} if len(self.session.shafts) > 1 else {}
             brief = {**BRIEF, **several}
             titles = [self.app.say(brief.get(step.key, step.title)) for step in STEPS]
-        if sum(map(len, titles)) > room:  # a number is enough of what the design does not ask for
-            idle = [state.state == "not_asked" and state.key != self.current for state in states]
-            titles = ["" if n else title for n, title in zip(idle, titles)]
         longest = max(map(len, titles))
         while sum(min(len(title), longest) for title in titles) > room and longest > 3:
             longest -= 1

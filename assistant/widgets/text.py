@@ -126,19 +126,37 @@ def _place(word: str, text: str) -> int | None:
     return first
 
 
-# --- a value held against its limit as a bar of a few cells
-# Full at the limit, which has a mark where the value lies beyond it.
+# --- a value held against its limits, on a line of a few cells
+# What is allowed is drawn heavy, so that the side is seen on which it is right: `╌╌╌╌●┃━━` is too little.
 
 CELLS = 8
-EIGHTHS = "▁▂▃▄▅▆▇"  # of the cell in which the value ends
+ROOM = 1.5  # the length of the line, over a limit that the value keeps
 
 
-def bar(share: float, signs: Signs, style: str = "", cells: int = CELLS) -> Content:
-    """`share`: the value over its limit."""
-    full, empty, mark = ("#", ".", "|") if signs.ascii else ("▇", "▁", "│")
-    if share > 1:
-        at = min(cells - 1, max(1, round(cells / share)))
-        return Content.assemble((full * at, style), (mark, "bold"), (full * (cells - 1 - at), style))
-    whole, rest = divmod(round(max(0.0, share) * cells * len(EIGHTHS)), len(EIGHTHS))
-    last = "" if whole == cells else empty if signs.ascii else EIGHTHS[rest]
-    return Content.assemble((full * whole + last, style), (empty * (cells - whole - len(last)), "dim"))
+def bar(value: float, low: float | None, high: float | None, signs: Signs, style: str = "") -> Content:
+    """`low`, `high`: the least and the greatest that is allowed, None where there is none.  Where there is one the line
+    goes from nought beyond it, and the value has its sign; else it reaches beyond both."""
+    right, wrong, mark, here = ("=", ".", "|", "o") if signs.ascii else ("━", "╌", "┃", "●")
+    if low is not None and high is not None:
+        first, last = 1, CELLS - 2
+        share = (value - low) / (high - low) if high > low else 0.0
+        at = 0 if share < 0 else CELLS - 1 if share > 1 else first + 1 + round(share * (last - first - 2))
+    else:
+        if (low or high or 0.0) < 0:  # more of it lies to the left
+            return bar(-value, None if high is None else -high, None if low is None else -low, signs, style)
+        limit = (low if high is None else high) or 0.0
+        end = max(value, limit * ROOM) or 1.0
+        edge = min(CELLS - 2, max(1, int(CELLS * limit / end)))
+        first, last = (-1, edge) if low is None else (edge, CELLS)
+        at = min(CELLS - 1, int(CELLS * value / end))
+        above = value > limit or (value == limit and high is None)
+        at = max(edge + 1, at) if above else min(edge - 1, at)
+    parts: list[Content | tuple[str, str] | str] = []
+    for cell in range(CELLS):
+        if cell == at:
+            parts.append((here, style))
+        elif cell in (first, last):
+            parts.append((mark, "bold"))
+        else:
+            parts.append(right if first < cell < last else (wrong, "dim"))
+    return Content.assemble(*parts)

@@ -534,4 +534,4 @@ def fem_checks(shaft: ShaftInputs, material: Material, safety: Number | None) ->
 
 
 def _give(material: Material) -> Text:
-    return Text("Give the strength of {name} as a [[material]] of the design.", name=material.name)
+    return Text("Give the strength of {name} among the materials of the design.", name=material.name)

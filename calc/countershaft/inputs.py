@@ -307,6 +307,7 @@ class ShaftInputs:
         "mm",
         default=None,
         up_to=1000,
+        brief="sector radius",
         symbol="R",
         step=0.5,
         rule_of_thumb=(15, 120),

@@ -153,7 +153,7 @@ def _of_one(design: "Design", results: "Results") -> Sketch:
     if shaft is None or not isinstance(result, CountershaftResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
-    view, notes = _view(shaft, result, checks), [Text("lengths in mm")]
+    view, notes = _view(shaft, result, checks), [Text("mm")]
     if view is None:
         return Sketch(notes=(Text("The picture waits for the masses of the shaft."),))
     if result.outline is None:

@@ -30,6 +30,11 @@ DIGITS = 6
 
 def words(document: Document, results: "Results", changes: Changes) -> Text:
     """`document` and `results` are those before the changes.  A key that only makes room for another is not named."""
+    return COMMA.join(words_each(document, results, changes))
+
+
+def words_each(document: Document, results: "Results", changes: Changes) -> tuple[Text, ...]:
+    """The same of each change by itself."""
     places = {key: (_shaft(document, key), place_words(key)) for key in changes}
     kept = [
         key
@@ -37,7 +42,7 @@ def words(document: Document, results: "Results", changes: Changes) -> Text:
         if new is not None or not any(o != key and places[o] == places[key] for o in changes)
     ]
     told = [(key, _change(document, results, key, changes[key])) for key in kept]
-    return COMMA.join(_with_shaft(document, key, change) for key, change in told if change is not None)
+    return tuple(_with_shaft(document, key, change) for key, change in told if change is not None)
 
 
 def _shaft(document: Document, key: str) -> str:

@@ -68,7 +68,7 @@ def sketch(design: "Design", results: "Results | None" = None) -> Sketch:
     engine = design.engine
     assert engine is not None  # its picture is asked for only where there is one
     throws, placed = _throws(engine)
-    notes = [Text("lengths in mm")]
+    notes = [Text("mm")]
     beside: tuple[Sketch, ...] = ()
     if engine.cylinders > 1:
         fires = firing(engine, placed)

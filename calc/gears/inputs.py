@@ -82,6 +82,7 @@ class Mesh:
         symbol="T_a",
         rule_of_thumb=(10, 100),
         help="Half the field, to either side.",
+        brief="centre tolerance (±)",
         change=("closer tolerance", "wider tolerance"),
         repair="free",
         decides=11,

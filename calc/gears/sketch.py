@@ -54,7 +54,7 @@ def sketch(design: "Design", results: "Results") -> draw.Sketch:
     centres = placed or in_row(train)
     notes = [Text("a {distances} mm", distances=Text(", ").join(map(_distance, train.meshes.values())))]
     if not placed:
-        notes = [Text("wheels in a row"), Text("mm")]
+        notes = [Text("in a row"), Text("mm")]
     train_view = tuple(_train(gears, train, centres, checks, bool(placed)))
     if not train.meshes:
         return draw.Sketch(train_view)

@@ -146,7 +146,7 @@ COUPLE_LEFT = CheckRule(
     "<=",
     "N·m",
     OWN,
-    Text("Their unbalances together must supply missing_forward_couple at missing_forward_couple_phase."),
+    Text("Their unbalances together must supply the couple that is missing, in its direction."),
     value_id=dotted("imbalance", WebsResult.unbalances_couple_left),
     moved_by=(dotted("imbalance", ImbalanceInputs.unbalances),),
 )

@@ -349,6 +349,13 @@ class Check:
         return over / under if under else None
 
     @property
+    def bounds(self) -> tuple[float | None, float | None]:
+        """The least and the greatest that is allowed, None where there is none."""
+        if isinstance(self.limit, tuple):
+            return self.limit
+        return (self.limit, None) if self.sense in (">=", ">") else (None, self.limit)
+
+    @property
     def share(self) -> float | None:
         """The value over its nearest limit, 1 at it; None where that says nothing."""
         limit = self.nearest[1]

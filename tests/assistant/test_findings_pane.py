@@ -5,14 +5,16 @@ from dataclasses import replace
 
 import pytest
 
-from assistant.screens.ready import Closing
-from assistant.session.calculation import slopes_of_check, slopes_of_input
+from assistant.screens.ready import Closing, _joined
+from assistant.session.calculation import _slope, _step, slopes_of_check, slopes_of_input
 from assistant.session.session import Session
+from assistant.session.wording import not_repeated
 from assistant.widgets.checks import Checks
 from assistant.widgets.lines import MessageLine
 from assistant.widgets.signs import Signs
 from assistant.widgets.steps import READY, Steps
 from assistant.widgets.text import bar
+from calc.sheet.check import Check
 from calc.sheet.text import Text
 from calc.sheet.verdict import findings_of, open_findings
 from calc.studies.explain import effects, moved_by
@@ -34,12 +36,12 @@ async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, se
         await strike(pilot, "escape", "4", "f7")
         await settled(pilot)
         checks = work(pilot).query_one(Checks)
-        await until(pilot, lambda: "per mm" in rows(checks)[EDGE])  # the slopes follow
+        await until(pilot, lambda: "per 0.5 mm" in rows(checks)[EDGE])  # the slopes follow
         shown, outcome = rows(checks), work(pilot).session.results.outcomes["bearings"]
         groups = open_findings(outcome.checks)
         assert list(shown) == [*(group[0].id for group in groups), "advice", "method", "hold"]
         assert groups[0][0].id == EDGE and f"({len(groups[0])} checks)" in shown[EDGE]
-        assert "7.41 of 9 µm" in shown[EDGE] and "most: length of front +0.4 µm " in shown[EDGE]
+        assert "7.41 of 9 µm" in shown[EDGE] and "most: length of front +0.2 µm " in shown[EDGE]
         second = groups[1][0]
         await strike(pilot, "down")
         assert checks.key == second.id and len(rows(checks)[second.id]) > len(shown[second.id])
@@ -69,6 +71,7 @@ async def test_what_holds_outside_the_validity_of_its_formula_has_no_tick(screen
         checks = work(pilot).query_one(Checks)
         assert session.results is not None
         checks.show(replace(session.results.outcomes["gears"], checks=(method, check, made_check(2.0, id="gears.x"))))
+        checks.focus()
         await settled(pilot)
         assert checks.go_to(check.id)
         shown = rows(checks)
@@ -86,10 +89,25 @@ async def test_a_step_says_its_state_and_how_many_findings_are_listed(screen: Sc
         bench = work(pilot)
         checks, outcome = bench.query_one(Checks), bench.session.results.outcomes["bearings"]
         listed = open_findings(outcome.checks)
+
+        def heads() -> list[str]:
+            return [item.key for item in checks.items if item.key not in ("", "advice", "method", "hold")]
+
+        # beside other panes the worst by their names, of the rest how many, with the worst margin
+        assert [row.plain for row in checks.items[0].rows] == ["✗ FAIL"] and bench.pane_named("checks").right == ""
+        assert heads()[0] == listed[0][0].id
+        assert sum(row.startswith("▲ 2 cautions ▸") and row.endswith("−39 %") for row in rows(checks).values()) == 1
+        notes = sorted((c.margin for c in outcome.checks if c.verdict == "note"), key=float)
+        assert rows(checks)["advice"].startswith(f"• {len(notes)} notes ▸ ") and rows(checks)["advice"].endswith(
+            "−19 %"
+        )
+        checks.focus()
+        await settled(pilot)
         assert [row.plain for row in checks.items[0].rows] == [f"✗ {outcome.words()}"]
-        assert bench.pane_named("checks").right == findings_of(listed)
-        heads = [item.key for item in checks.items if item.key not in ("", "advice", "method", "hold")]
-        assert heads == [group[0].id for group in listed]
+        assert heads() == [group[0].id for group in listed]
+        await pilot.resize_terminal(80, 24)
+        await settled(pilot)
+        assert bench.pane_named("checks").right == findings_of(listed) and heads() == [group[0].id for group in listed]
 
 
 @pytest.mark.slow
@@ -166,16 +184,60 @@ def test_slopes_are_told_in_labels_and_units(session: Session) -> None:
     found = effects(session.document, results, [check], 5)[EDGE]
     assert (
         str(slopes_of_check(session.data, check, found))
-        == "length of front +0.4 µm per mm; roughness Ra, journal of front: limit +7.5 µm per µm"
+        == "length of front +0.2 µm per 0.5 mm; roughness Ra, journal of front: limit +0.75 µm per 0.1 µm"
     )
     moved = str(slopes_of_input(session.data, LENGTH, moved_by(session.document, results, LENGTH)))
-    assert moved.startswith("film at the edge over the speeds, thinnest at 2497 rpm, front +0.42 µm per mm; ")
+    assert moved.startswith("film at the edge over the speeds, thinnest at 2497 rpm, front +0.21 µm per 0.5 mm; ")
 
 
-def test_a_bar_is_full_at_the_limit_and_marks_it_beyond() -> None:
+def test_what_lacks_the_same_in_one_step_is_said_once() -> None:
+    def lacking(step: str, *missing: str) -> Check:
+        return made_check(1.0, id=f"{step}.{missing[0]}", missing=missing)
+
+    groups = [
+        [lacking(*each)] for each in (("gears", "a", "b"), ("gears", "c"), ("gears", "b", "d"), ("friction", "a"))
+    ]
+    assert [[check.id for check in one] for one in _joined(groups)] == [
+        ["gears.c"],
+        ["gears.a", "gears.b"],
+        ["friction.a"],
+    ]
+    assert not_repeated(["span of central 2 mm", "span of idler 3 mm", "mass 2 kg"]) == [
+        "span of central 2 mm",
+        "idler 3 mm",
+        "mass 2 kg",
+    ]
+
+
+def test_a_bar_shows_on_which_side_of_its_limits_a_value_is_right() -> None:
     signs, plain = Signs(), Signs(ascii=True)
-    assert bar(1, signs).plain == "▇" * 8 and bar(0.5, signs).plain == "▇▇▇▇▁▁▁▁" and bar(0, signs).plain == "▁" * 8
-    assert (
-        bar(2, signs).plain == "▇▇▇▇│▇▇▇" and bar(0.5, plain).plain == "####...." and bar(50, plain).plain == "#|######"
-    )
-    assert all(len(bar(share / 100, signs).plain) == 8 for share in range(400))
+
+    def drawn(value: float, low: float | None, high: float | None) -> str:
+        return bar(value, low, high, signs).plain
+
+    assert drawn(7.41, 9, None) == "╌╌╌╌●┃━━" and drawn(20, 9, None) == "╌╌╌┃━━━●"  # at least 9
+    assert drawn(0.5, None, 1) == "━━●━━┃╌╌" and drawn(3, None, 1) == "━━┃╌╌╌╌●"  # at most 1
+    assert [drawn(x, 0.25, 0.8) for x in (0.2, 0.64, 0.9)] == ["●┃━━━━┃╌", "╌┃━━●━┃╌", "╌┃━━━━┃●"]
+    assert drawn(-7, -5, None) == drawn(7, None, 5)  # below nought more lies farther out
+    assert bar(7.41, 9, None, plain).plain == "....o|=="
+    for n in range(1, 400):
+        value, limit = n / 100, 1.0
+        for low, high in ((limit, None), (None, limit)):
+            line = drawn(value, low, high)
+            beyond = line.index("●") > line.index("┃")
+            assert len(line) == 8 and beyond == (value > limit or (value == limit and high is None))
+            assert ("━" in line[line.index("┃") :]) == (low is not None)
+
+
+def test_a_slope_is_told_for_the_step_by_which_one_goes_on() -> None:
+    data = {"shafts": [{"name": "a"}], "engine": {"bore_mm": 94.0, "cylinders": 3, "rated_speed_rpm": 2600.0}}
+    told = {key: _step(data, key) for key in ("engine.bore_mm", "engine.cylinders", "engine.rated_speed_rpm")}
+    assert told == {
+        "engine.bore_mm": (10.0, "mm"),
+        "engine.cylinders": (1.0, ""),
+        "engine.rated_speed_rpm": (100.0, "rpm"),
+    }
+    moved = _slope(Text("clearance"), -0.05, "µm", (10.0, "µm"))
+    assert str(moved) == "clearance −0.5 µm per 10 µm"
+    assert str(_slope(Text("film"), 2e-4, "µm", (0.5, "K"))) == "film +0.01 µm per 50 K"
+    assert str(_slope(Text("oil"), 0.7, "°C", (1.0, "K"))) == "oil +0.7 K per K"

@@ -62,6 +62,12 @@ async def test_a_fold_opens_stays_open_and_opens_for_a_field_that_is_sought(scre
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
         assert "Which engine shakes?" in rows(pilot) and ("engine", "flywheel_inertia_kgm2") not in places(pilot)
+        more = work(pilot).form.query_one(Fold)  # beside other panes all of them stand behind one
+        assert len(more.row.inside) > 30 and "From earlier" not in more.explained()[1]
+        more.focus()
+        await strike(pilot, "enter")
+        await settled(pilot)
+        assert len(work(pilot).form.query(Fold)) > 2
         fold = next(one for one in work(pilot).form.query(Fold) if one.row.place == ("engine", "+0"))
         fold.focus()
         await strike(pilot, "enter")

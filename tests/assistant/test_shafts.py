@@ -140,12 +140,12 @@ async def test_shafts_are_leafed_through_added_and_taken_out(screen: Screen, lig
         assert form.here() == (*SHAFTS, 1, "name") and "all else as shaft" in rows(pilot)
         await type_in(pilot, "left")
         await settled(pilot)
-        assert light.data["shafts"][1]["name"] == "left" and "2 of 2 left" in rows(pilot)
+        assert light.data["shafts"][1]["name"] == "left" and "2/2 ▸" in rows(pilot)
         (heading,) = [one for one in form.query(ArrayHeading) if one.row.place == SHAFTS]
         heading.focus()
         await strike(pilot, "left")
         await settled(pilot)
-        assert "1 of 2 shaft" in rows(pilot) and "all else as" not in rows(pilot)
+        assert "1/2 ▸" in rows(pilot) and "all else as" not in rows(pilot)
         await strike(pilot, "right", "minus")
         await settled(pilot)
         assert len(light.data["shafts"]) == 1 and light.valid

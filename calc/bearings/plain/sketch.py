@@ -51,8 +51,7 @@ def pictures(results: Mapping[str, PlainResult], checks: dict[str, Check]) -> di
     gap = rounded(min(GAP * r.seat.bearing.diameter / r.clearance_hot for r in results.values()))
     notes = (
         Text("gap × {factor}", factor=Amount(gap)),
-        Text("the load points down"),
-        Text("pressure in the shape of a short bearing"),
+        Text("load down"),
     )
     drawn = {
         place: Sketch(tuple(_bearing(place, r, gap, checks)), title=_title(place, r)) for place, r in results.items()

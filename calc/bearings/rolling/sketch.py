@@ -54,7 +54,7 @@ def pictures(results: "Mapping[str, RollingBearing]", checks: dict[str, Check]) 
     """Each bearing by itself."""
     drawn = {place: Sketch(tuple(_bearing(place, r, checks)), title=_title(place, r)) for place, r in results.items()}
     first = next(iter(drawn))
-    notes = (Text("to scale"), Text("the load turns with the shaft: it stands at the dot, on the inner ring"))
+    notes = (Text("to scale"), Text("load at the dot"))
     return drawn | {first: replace(drawn[first], notes=notes)}
 
 

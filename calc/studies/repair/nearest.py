@@ -10,7 +10,7 @@ from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.outline import CROSSING, MASS_SHAPE
 from ...design.addresses import value_at
 from ...design.model import IN_SENTENCES
-from ...design.names import words
+from ...design.names import words, words_each
 from ...design.toml_file import Document
 from ...gears.checks import (
     CONTACT_RATIO,
@@ -45,14 +45,14 @@ Repairer = Callable[[RepairState, tuple[Check, ...], Progress | None], RepairSta
 
 @dataclass(frozen=True)
 class NearestRemedy:
-    """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `said`: the state of the step then; `mends`:
-    ids of checks that failed and do not with it (a step that had no solution: its key).  `left`: what still fails in
-    the step, and why; then it is a part of a remedy only.  `breaks`: ids of limits of other steps that are judged
-    worse with it.  `document` and `results`: the design with it."""
+    """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `each`: their words; `said`: the state of the
+    step then; `mends`: ids of checks that failed and do not with it (a step that had no solution: its key).  `left`:
+    what still fails in the step, and why; then it is a part of a remedy only.  `breaks`: ids of limits of other steps
+    that are judged worse with it.  `document` and `results`: the design with it."""
 
     step: str
     changes: tuple[str, ...]
-    words: Text
+    each: tuple[Text, ...]
     said: Text
     mends: tuple[str, ...]
     left: "tuple[Unmended, ...]"
@@ -65,6 +65,10 @@ class NearestRemedy:
         """Each key with its new value."""
         keys = [change.partition("=")[0] for change in self.changes]
         return {key: value_at(self.document.data, key) for key in keys}
+
+    @property
+    def words(self) -> Text:
+        return COMMA.join(self.each)
 
 
 @dataclass(frozen=True)
@@ -261,7 +265,7 @@ class _Step:
             effect = Text("{then}; then not kept: {checks}", then=then, checks=", ".join(breaks))
         else:
             effect = then
-        changes, named = tuple(assignments(state.changes)), words(start.document, start.results, state.changes)
+        changes, named = tuple(assignments(state.changes)), words_each(start.document, start.results, state.changes)
         document, results = state.document, state.results
         return NearestRemedy(self.step, changes, named, effect, tuple(mends), left, breaks, document, results), state
 

@@ -66,10 +66,10 @@ async def leafs(pilot: Pilot[int], do: Do) -> None:
     bench.edited()
     await strike(pilot, "3")
     await still(pilot)
-    assert "3 Balance shafts: shaft" in text(pilot) and "1 of 2 shaft" in text(pilot)
+    assert "3 Balance shafts: shaft" in text(pilot) and "1/2 shaft" in text(pilot)
     await do()
     await still(pilot)
-    assert "3 Balance shafts: twin" in text(pilot) and "2 of 2 twin" in text(pilot)
+    assert "3 Balance shafts: twin" in text(pilot) and "2/2 twin" in text(pilot)
 
 
 DEEDS |= {"shaft_on": leafs, "shaft_back": leafs}
