@@ -78,7 +78,10 @@ def with_nearest(offer: Offer, nearest: NearestRemedy) -> Offer:
     number = offer.count + 1
     columns = ((Text("no."), ""), (Text("change"), ""), (Text("then"), ""))
     table = Table(
-        "nearest", Text("Nearest to the design, as F5 has it"), columns, ((number, nearest.words, nearest.said),)
+        "nearest",
+        Text("Nearest to the design, as the list of remedies has it"),
+        columns,
+        ((number, nearest.words, nearest.said),),
     )
     return replace(
         offer,

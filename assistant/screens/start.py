@@ -161,7 +161,7 @@ NOTHING = Text(
     "VR is a V of small bank angle."
 )
 IN_STEP = Text(
-    "That is for step {n} of a design, {step}: {question} Begin with an engine, or open a design; ^p finds it there."
+    "That is for step {n} of a design, {step}: {question} Begin with an engine, or open a design; {key} finds it there."
 )
 ENTER = {  # what it does with a row, by its kind
     "open": Text("Enter asks for the file"),
@@ -328,7 +328,13 @@ class Start(Screen[None]):
         for n, step in enumerate(STEPS, 1):
             about = GUIDES[step.key].words
             if match(words, folded(f"{say(step.title)} {say(about)} {about}"))[0]:
-                return Text(IN_STEP.template, n=n, step=step.title, question=GUIDES[step.key].question)
+                return Text(
+                    IN_STEP.template,
+                    n=n,
+                    step=step.title,
+                    question=GUIDES[step.key].question,
+                    key=self.app.shown_key("palette"),
+                )
         return NOTHING
 
     def _found(self, words: list[str], rows: list[Beginning]) -> list[tuple[float, Beginning]]:
