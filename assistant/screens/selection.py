@@ -183,7 +183,7 @@ class Searching(Once, ModalScreen[Taken], Generic[Taken, Found]):
         for key, was, now in verdicts:
             if key in OPTIONAL and was == now == "not_asked":
                 continue
-            arrow = f"{signs.mark(was)} {then} " if was != now else ""
+            arrow = f"{signs.mark(was)} {say(then)} " if was != now else ""
             part = Content.assemble(
                 f"{say(TITLES[key])} {arrow}", (f"{signs.mark(now)} {signs.word(now)}", signs.style(now))
             )

@@ -31,11 +31,10 @@ class Setter:
     def __init__(self, table: Table, width: int, say: Language, first: int = 1) -> None:
         self.table, self.width, self.say = table, width, say
         count = len(table.columns)
+        self.units = [say(unit) for _, unit in table.columns]
         cells = [[cell_text(row[i], say) for row in table.rows] for i in range(count)]
         self.numeric = [any(isinstance(row[i], (int, float)) for row in table.rows) for i in range(count)]
-        least = [
-            max([cell_len(unit), *map(cell_len, column)], default=0) for (_, unit), column in zip(table.columns, cells)
-        ]
+        least = [max([cell_len(unit), *map(cell_len, column)]) for unit, column in zip(self.units, cells)]
         whole = [max(size, cell_len(label)) for size, (label, _) in zip(least, table.columns)]
         tight = [max([size, *map(cell_len, label.split())]) for size, (label, _) in zip(least, table.columns)]
         self.widths = whole if self._total(whole) <= width else tight
@@ -97,7 +96,7 @@ class Setter:
     def head(self) -> list[Content]:
         """The labels, and below them the units."""
         labels: list[str] = [self.table.columns[i][0] for i in self.columns]
-        units = [self.table.columns[i][1] for i in self.columns]
+        units = [self.units[i] for i in self.columns]
         rows = [Content.styled(row, "bold") for row in self._block(labels, foot=True)]
         return [*rows, Content.styled(self._line(units), "dim")] if any(units) else rows
 
@@ -107,7 +106,7 @@ class Setter:
         for n, row in enumerate(self.table.rows):
             texts = [cell_text(cell, self.say) for cell in row]
             labelled = "; ".join(
-                f"{label} {text} {unit}".strip() for (label, unit), text in zip(columns, texts) if text
+                f"{label} {text} {unit}".strip() for (label, _), unit, text in zip(columns, self.units, texts) if text
             )
             rows = [Content(line) for line in self._block([texts[i] for i in self.columns])]
             listed.append(Item(f"{self.table.id} {n}", rows, "\t".join(texts), labelled))

@@ -32,6 +32,7 @@ ELSEWHERE = (
     "ctrl+t",
     "escape",
 )
+CHOOSING = ("ctrl+t", "down", "escape")
 
 
 @pytest.mark.parametrize(
@@ -101,7 +102,7 @@ async def test_no_letter_beyond_ascii_on_any_screen(
             for _ in range(2 if whole else 1):
                 await pilot.press("f4")
                 await look(f"{n}, {work(pilot).turned}")
-        for key in (*WALK, *(ELSEWHERE if whole else ())):
+        for key in (*WALK, *((*ELSEWHERE, "1", *CHOOSING) if whole else ())):
             await pilot.press(key)
             await look(key)
         await until(pilot, lambda: len(pilot.app.screen_stack) == 1)
