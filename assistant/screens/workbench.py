@@ -73,7 +73,7 @@ class Workbench(WorkbenchEdits):
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Keys do nothing, and are lost, while there is nothing that they could act on; those that leaf through shafts
         are the field's where there are none to leaf through."""
-        if parameters and BY_ID[str(parameters[0])].first and self.stands:
+        if action == "act" and BY_ID[str(parameters[0])].first and self.stands:
             return self.leafs
         return self.stands
 
