@@ -53,7 +53,7 @@ class Hands:
     async def press(self, *keys: str, counted: bool = True) -> None:
         await self.pilot.press(*keys)
         self.keys += len(keys) * counted
-        await until(self.pilot, self._rests)
+        await until(self.pilot, self._rests, 120.0)  # building takes seconds, on a busy machine many
 
     def _rests(self) -> bool:
         """Nothing is being built, solved or laid out."""
