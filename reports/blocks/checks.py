@@ -83,7 +83,7 @@ def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
     together: dict[tuple[str, str], list[tuple[Check, str]]] = {}
     for worst, *more in open_findings(checks):
         others = context.say(with_it(more)) if more else ""
-        together.setdefault((worst.verdict, worst.to_do), []).append((worst, others))
+        together.setdefault((worst.verdict, context.say(worst.to_do)), []).append((worst, others))
     rows = []
     for (_, advice), some in together.items():
         for check, others in some:

@@ -47,6 +47,7 @@ FIELDS = {
     "table",
     "tables",
     "open_",
+    "flag",
 }
 SENTENCES = {"help", "source", "brief", "change"}  # their keywords that are texts
 RELEASE = bool(os.environ.get("RELEASE"))  # RELEASE=1 pytest tests/languages: every text must have its translation
@@ -83,6 +84,10 @@ def _of(tree: ast.AST) -> Iterator[Template]:
             yield constants[node.id]
         elif isinstance(node, ast.IfExp):
             yield from (*literals(node.body), *literals(node.orelse))
+        elif isinstance(node, ast.JoinedStr):  # of words that have a name
+            parts = [list(literals(p.value if isinstance(p, ast.FormattedValue) else p)) for p in node.values]
+            if all(parts):
+                yield "".join(part for (part,) in parts)
         elif isinstance(node, ast.Tuple):  # the words of a change
             yield from (text for element in node.elts for text in literals(element))
 
@@ -98,7 +103,7 @@ def _of(tree: ast.AST) -> Iterator[Template]:
         field = name in FIELDS and isinstance(node.func, ast.Name)
         if field or name in {"Text", "axis_label"}:
             yield from ((text, "") for text in literals(node.args[0]))
-        if field:
+        if field or name == "as_in":
             yield from ((text, "") for key in SENTENCES & words.keys() for text in literals(words[key]))
         if name == "_ended":  # the last two of a list (`calc.sheet.text`)
             yield from ((text, "") for text in literals(node.args[1]))
