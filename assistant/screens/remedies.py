@@ -18,6 +18,7 @@ from calc.design.model import STEPS, TITLES
 from calc.design.names import named
 from calc.locale import Language
 from calc.sheet.check import Check
+from calc.sheet.errors import BadInput
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
 from calc.studies.repair.nearest import NearestRemedy
@@ -306,7 +307,11 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         if way is None:
             return
         key = way.keys[0]
-        self.session.toggle_lock(key)
+        try:
+            self.session.toggle_lock(key)
+        except BadInput:  # of a table that is to be given
+            self.app.tell(Text("There is no input to lock here."))
+            return
         self.nearest = None  # which is that of other locks
         locked = bool(self.session.lock_reason(key))
         what = named(self.session.document, key)

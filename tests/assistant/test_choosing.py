@@ -10,6 +10,7 @@ import pytest
 from assistant.offers import Offer
 from assistant.screens import selection
 from assistant.screens.compare import CompareScreen, ComparisonList
+from assistant.screens.remedies import Remedies
 from assistant.screens.selection import Choosing, Preview
 from assistant.screens.workbench import Workbench
 from assistant.session.guide import no_choice
@@ -19,9 +20,10 @@ from calc.sheet.remedy import Changes
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Text
 from calc.studies.repair.nearest import NearestRemedy, remedy
+from calc.studies.repair.option import RepairOption
 from calc.studies.repair.options import QUICK, search
 from tests.assistant.conftest import Screen
-from tests.assistant.driving import screen_rows, strike, told, until
+from tests.assistant.driving import screen_rows, strike, told, until, work
 
 MASS, BORE = "shafts.shaft.masses.front.mass_kg", "engine.bore_mm"
 ROWS: dict[int, Changes] = {1: {MASS: 2.0}, 2: {BORE: 95.0}, 3: {}}
@@ -70,6 +72,22 @@ async def test_what_a_row_does_is_said_before_it_is_taken(
         await strike(pilot, "enter")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
         assert done == [(f"{MASS}=2.0",)]
+
+
+async def test_a_table_that_is_missing_leads_to_where_it_is_given(screen: Screen, light: Session) -> None:
+    async with screen(size=(80, 24), session=light) as pilot:
+        assert light.results is not None
+        check = next(c for c in light.results.checks() if c.id == "imbalance.unbalances.couple_left")
+        done: list[RepairOption | None] = []
+        shown = Remedies(light, check)
+        pilot.app.push_screen(shown, done.append)
+        await until(pilot, lambda: shown.is_mounted and shown.way is not None)
+        await strike(pilot, "k")
+        assert "There is no input to lock here." in told(pilot) and pilot.app.screen is shown
+        await strike(pilot, "enter")
+        await until(pilot, lambda: bool(done))
+        await work(pilot)._remedied(light.generation, check, done[0])
+        await until(pilot, lambda: "add" in "".join(screen_rows(pilot)) and work(pilot).step.key == "imbalance")
 
 
 def test_the_table_is_headed_by_the_remedy_that_f5_has(light: Session) -> None:

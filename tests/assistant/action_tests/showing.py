@@ -7,7 +7,6 @@ from functools import partial
 from textual.pilot import Pilot
 
 from assistant.screens.dialogs import Ask
-from assistant.screens.drive import Driving
 from assistant.screens.explain import Explain
 from assistant.screens.help import HelpScreen
 from assistant.screens.palette import Palette
@@ -211,13 +210,15 @@ async def not_counted(pilot: Pilot[int], do: Do) -> None:
 
 @deed
 async def drive(pilot: Pilot[int], do: Do) -> None:
-    """A design without bearings has no drive: said where the search would stand, and Esc goes back."""
+    """A design without bearings has no drive: that is said, and nothing is opened. Ready does not offer it either."""
     await do()
-    shown = await over(pilot, Driving)
-    await until(pilot, lambda: not shown.searching)
-    assert "a drive has a shaft on two bearings" in text(pilot)
-    await strike(pilot, "escape")
-    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
+    await pilot.pause()
+    assert "The whole drive is searched once the design has these steps: bearings." in told(pilot)
+    assert isinstance(pilot.app.screen, Workbench)
+    work(pilot).action_ready()
+    await over(pilot, ReadyScreen)
+    assert "Enter goes" in text(pilot) and "whole drive" not in text(pilot)
+    await back(pilot)
 
 
 @deed

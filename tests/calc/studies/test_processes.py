@@ -11,7 +11,7 @@ from threading import Thread
 
 import pytest
 
-from calc.sheet.errors import NoSolution
+from calc.sheet.errors import Cancelled, NoSolution
 from calc.studies.processes import spread
 from tests.calc.studies.process_work import endless_but_the_first, once, slow
 from tests.conftest import ROOT
@@ -45,6 +45,21 @@ def test_over_processes_or_not_the_pieces_are_the_same() -> None:
 
 def test_what_a_lost_worker_had_is_done_again(tmp_path: Path) -> None:
     assert dict(spread(once, str(tmp_path), range(8), 2)) == {n: n for n in range(8)}
+
+
+def test_who_waits_is_heard_and_may_end_it() -> None:
+    """However long a piece takes: the processes are not waited for."""
+    begun, calls = time.monotonic(), 0
+
+    def pulse() -> None:
+        nonlocal calls
+        calls += 1
+        if calls == 3:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        list(spread(slow, 60.0, range(4), 2, pulse=pulse))
+    assert calls == 3 and time.monotonic() - begun < 30
 
 
 @pytest.mark.skipif(os.name != "posix", reason="kill")
