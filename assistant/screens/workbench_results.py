@@ -30,6 +30,7 @@ from ..session.session import Session
 from ..session.solving import Answer, Job, run
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
+from ..widgets.curve_pane import CurvePane
 from ..widgets.field import Field
 from ..widgets.form import Form, Taken
 from ..widgets.headings import ArrayHeading, Fold, TableHeading
@@ -578,14 +579,19 @@ class WorkbenchResults(WorkbenchPanes):
 
     def set_out(self) -> None:
         super().set_out()
-        if self.stands and self.is_mounted:
+        if self._whole and self.is_mounted:
             self._title_findings()
             self.show_keys()
 
     def refresh_top_line(self) -> None:
         super().refresh_top_line()
-        if self.stands:
+        if self._whole:
             self.show_keys()
+
+    @property
+    def _whole(self) -> bool:
+        """Whether what the last line and the titles tell of is there: at the end it goes before they do."""
+        return self.stands and bool(self.query(Checks)) and bool(self.query(CurvePane))
 
     def show_keys(self) -> None:
         """The footer leaves out first what does nothing here."""
