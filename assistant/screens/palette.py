@@ -29,7 +29,7 @@ from calc.studies.shipped import engines
 from ..actions import ACTIONS, bound, key_names
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NAME, NOTE
-from ..widgets.entry import Line
+from ..widgets.line import Line
 from ..widgets.text import fit, folded, match
 from .explain import Explain
 from .path_dialogs import begin_with

@@ -27,7 +27,7 @@ from ..base_app import TYPING, BaseApp
 from ..session.beginnings import Beginning, Finding, finding, groups
 from ..session.recovery import Memory
 from ..session.session import Session
-from ..widgets.entry import Line
+from ..widgets.line import Line
 from ..widgets.text import fit, folded, match, pad, wrap
 from .path_dialogs import OpenDialog, begin_with
 
