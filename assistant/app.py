@@ -31,8 +31,9 @@ from .output import told
 from .screens.workbench import Workbench
 from .session.recovery import Memory, Settings
 from .session.session import Session
-from .widgets.entry import AT_ONCE, EDITS, Choice
+from .widgets.entry import AT_ONCE, Choice
 from .widgets.item_list import ItemList
+from .widgets.line import EDITS
 
 
 @runtime_checkable

@@ -23,7 +23,7 @@ from calc.sheet.text import COMMA, Text, plural
 from ..actions import bound
 from ..base_app import BaseApp
 from ..output import bare
-from ..widgets.entry import Line
+from ..widgets.line import Line
 from ..widgets.text import wrap
 from .dialogs import Once
 

@@ -23,7 +23,7 @@ from calc.studies.ready import OF_PROGRAM
 
 from ..actions import bound
 from ..base_app import BaseApp
-from ..widgets.entry import Line
+from ..widgets.line import Line
 
 # --- closing a dialog once
 # Enter that repeats, or comes twice before the first is dealt with, must not close what is behind it.

@@ -30,7 +30,7 @@ from ..actions import ACTIONS, CALLED, bound, key_names
 from ..base_app import BaseApp
 from ..session.beginnings import OWN, OWN_WORDS, with_engines
 from ..session.guide import DOCUMENT, GUIDES, NAME, NOTE
-from ..widgets.entry import Line
+from ..widgets.line import Line
 from ..widgets.text import fit, folded, match
 from .explain import Explain
 from .path_dialogs import begin_with

@@ -27,7 +27,7 @@ from ..session.compare_with import Chosen, Other, kept, of_file, of_session, pas
 from ..session.recovery import Memory
 from ..session.saving import free_name
 from ..session.session import Session
-from ..widgets.entry import Line
+from ..widgets.line import Line
 from .dialogs import Once
 
 Found = TypeVar("Found")

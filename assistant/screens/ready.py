@@ -62,7 +62,7 @@ class Closing(ItemList):
     @property
     def enter(self) -> Text:
         """What Enter does with the row under the cursor; empty where there is none."""
-        if self.key in (ASSUMED, NOT_COUNTED):
+        if self.key in FOLDED:
             return Text("folds it") if self.key in self.unfolded else Text("unfolds")
         return EMPTY if not self.key else Text("goes there") if "." in self.key else Text("opens it")
 

@@ -29,7 +29,7 @@ from ..session.beginnings import OWN, OWN_WORDS, Beginning, Finding, finding, gr
 from ..session.guide import GUIDES
 from ..session.recovery import Memory
 from ..session.session import Session
-from ..widgets.entry import Line
+from ..widgets.line import Line
 from ..widgets.text import fit, folded, match, pad, wrap
 from .path_dialogs import OpenDialog, begin_with
 

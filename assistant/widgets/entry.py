@@ -20,6 +20,7 @@ from calc.design.names import choice_word
 
 from ..actions import BY_ID
 from ..base_app import BaseApp
+from .line import EDITS, Line
 from .text import fit
 
 # Other keys are given to the part that has the focus, and wait there for their turn.  These move the focus before the
@@ -32,21 +33,6 @@ LEAVING: tuple[Binding, ...] = (
     Binding("up", f"screen.{BY_ID['up'].does}", "Previous field", show=False, priority=True),
 )
 AT_ONCE = ("down", "up", "go_on", "quit")  # actions that have such a binding, here or in the app
-EDITS = {binding.key: binding.action for binding in Binding.make_bindings(Input.BINDINGS)}
-
-
-class Line(Input):
-    """A line to type on.  Keys that edit act at once, and not when they have come back from all parents: those that
-    were struck later would come first."""
-
-    async def _on_key(self, event: events.Key) -> None:
-        action = EDITS.get(event.key)
-        if action is None or event.is_printable:
-            await super()._on_key(event)
-            return
-        event.stop()
-        event.prevent_default()
-        await self.run_action(action)
 
 
 class Entry(Line):

@@ -16,8 +16,8 @@ from assistant.screens.palette import Palette
 from assistant.screens.path_dialogs import CompareFile, OpenDialog, SaveDialog
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
-from assistant.widgets.entry import Line
 from assistant.widgets.form import Form
+from assistant.widgets.line import Line
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import go_to, settled, strike, until, work
 
