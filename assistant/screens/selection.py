@@ -536,7 +536,12 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         if preview.results is None:
             self.app.tell(_refused(preview), "warning")
         elif preview.shut:
-            text = Text("Row {n} {changes}. k on the field unlocks it.", n=preview.number, changes=preview.shut)
+            text = Text(
+                "Row {n} {changes}. {key} in the field unlocks it.",
+                n=preview.number,
+                changes=preview.shut,
+                key=self.app.shown_key("lock"),
+            )
             self.app.tell(text, "warning")
         elif preview.warns and not warned:
             self.app.tell(Text("Row {n}: {what}. Enter takes it.", n=preview.number, what=preview.warns), "warning")

@@ -238,7 +238,8 @@ class Start(Screen[None]):
             Text("Esc {leaves}", leaves=Text("takes the words away") if typed else leaves),
         ]
         line = " " + "   ".join(say(hint) for hint in hints if hint)
-        self.query_one("#start-keys", Static).update(Content.styled(line, "dim"), layout=False)
+        for row in self.query("#start-keys").results(Static):  # none while the screen is made anew
+            row.update(Content.styled(line, "dim"), layout=False)
 
     def on_mount(self) -> None:
         self.fill()

@@ -51,12 +51,12 @@ class WorkbenchMoves(WorkbenchResults):
     async def action_to_step(self, n: int) -> None:
         await self._arrive(STEPS[n - 1])
 
-    async def _arrive(self, step: Step) -> None:
-        """Open a step; what is to be chosen in it stands under the cursor, where letters stay keys."""
+    async def _arrive(self, step: Step, offered: bool = True) -> None:
+        """Open a step; what is to be chosen in it, or is `offered`, stands under the cursor, where letters stay keys."""
         idle = isinstance(self.focused, Form)
         await self.open_step(step)
-        offered = not (asks(self.session.data, step.key) and self._done)
-        if idle and offered and isinstance(next(iter(self.form.stops()), None), Radio):
+        free = not self._done or (offered and not asks(self.session.data, step.key))
+        if idle and free and isinstance(next(iter(self.form.stops()), None), Radio):
             self.form.focus_place(None)
 
     async def land(self, step: Step) -> None:
@@ -70,7 +70,7 @@ class WorkbenchMoves(WorkbenchResults):
         self.app.forget(FIRST)
         step = self._beside(by, offered)
         if step is not None:
-            await self._arrive(step)
+            await self._arrive(step, offered)
         elif by > 0:
             self.action_ready()  # behind the last step
         else:

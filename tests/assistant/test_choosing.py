@@ -59,7 +59,7 @@ async def test_what_a_row_does_is_said_before_it_is_taken(
         await strike(pilot, "down")
         await until(pilot, lambda: 2 in shown.previews)
         await strike(pilot, "enter")
-        assert "changes what is locked" in told(pilot) and "k on the field unlocks it" in told(pilot) and not done
+        assert "changes what is locked" in told(pilot) and "^l in the field unlocks it" in told(pilot) and not done
         await strike(pilot, "up", "equals_sign")
         await until(pilot, lambda: isinstance(pilot.app.screen, CompareScreen))
         await until(pilot, lambda: bool(pilot.app.screen.query_one(ComparisonList).items))
@@ -82,7 +82,7 @@ async def test_a_table_that_is_missing_leads_to_where_it_is_given(screen: Screen
         shown = Remedies(light, check)
         pilot.app.push_screen(shown, done.append)
         await until(pilot, lambda: shown.is_mounted and shown.way is not None)
-        await strike(pilot, "k")
+        await strike(pilot, "ctrl+l")
         assert "There is no input to lock here." in told(pilot) and pilot.app.screen is shown
         await strike(pilot, "enter")
         await until(pilot, lambda: bool(done))

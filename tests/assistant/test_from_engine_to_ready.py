@@ -29,11 +29,11 @@ from tests.assistant.driving import until
 MOST = 60  # keys, beside the numbers
 # what finds the engine, its own numbers, and the balancing that it comes to
 ENGINES = {
-    "inline-3": ("inline-3", {"bore_mm": "95", "stroke": "110", "rod_length_mm": "170", "piston_mass_g": "1200",
+    "inline-3": ("vm 3", {"bore_mm": "95", "stroke": "110", "rod_length_mm": "170", "piston_mass_g": "1200",
                               "rod_mass_g": "1100", "rated_speed_rpm": "2800", "cylinder_pitch_mm": "112"}, "shaft"),
     "inline-4": ("ea211", {"bore_mm": "79", "rod_length_mm": "145", "piston_mass_g": "420",
     "rated_speed_rpm": "5600"}, "second"),
-    "v6-60": ("v6 60", {"bore_mm": "90", "piston_mass_g": "500"}, "half"),
+    "v6-60": ("alfa", {"bore_mm": "90", "piston_mass_g": "500"}, "half"),
     "twin": ("twinair", {"bore_mm": "82", "piston_mass_g": "440", "rated_speed_rpm": "5000"}, "shaft"),
     "on rollers": ("mt-07", {"piston_mass_g": "310"}, "shaft"),
 }  # fmt: skip

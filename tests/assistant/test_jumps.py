@@ -28,7 +28,7 @@ FOUND = {
     "flat 4": "New: own boxer 4",
     "i3": "New: own inline 3",
     "l4": "New: own inline 4",
-    "optimise": "Whole drive",
+    "optimise": "Choose from a table",  # and no whole drive, which this design can not be searched for
     "cad": "Export …",
     "mend": "Remedies: what would help",
 }

@@ -51,7 +51,7 @@ async def save(pilot: Pilot[int], do: Do) -> None:
 async def new(pilot: Pilot[int], do: Do) -> None:
     await do()
     start = await over(pilot, Start)
-    assert start.here is not None and start.here.kind == "engine"
+    assert start.here is not None and start.here.kind == "own"
     await strike(pilot, "escape")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
 

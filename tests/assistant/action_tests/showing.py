@@ -65,10 +65,10 @@ async def leafs(pilot: Pilot[int], do: Do) -> None:
     bench.edited()
     await strike(pilot, "3")
     await still(pilot)
-    assert "3 Balance shafts: shaft" in text(pilot) and "1/2 shaft" in text(pilot)
+    assert "3 Balance shafts: shaft" in text(pilot) and "◂ 1/2" in text(pilot)
     await do()
     await still(pilot)
-    assert "3 Balance shafts: twin" in text(pilot) and "2/2 twin" in text(pilot)
+    assert "3 Balance shafts: twin" in text(pilot) and "◂ 2/2" in text(pilot)
 
 
 DEEDS |= {"shaft_on": leafs, "shaft_back": leafs}
@@ -217,7 +217,7 @@ async def drive(pilot: Pilot[int], do: Do) -> None:
     assert isinstance(pilot.app.screen, Workbench)
     work(pilot).action_ready()
     await over(pilot, ReadyScreen)
-    assert "Enter goes" in text(pilot) and "whole drive" not in text(pilot)
+    assert "Enter opens it" in text(pilot) and "drives" not in text(pilot)
     await back(pilot)
 
 
