@@ -122,6 +122,11 @@ class BaseApp(App[int]):
             return key_name(keys[0])
         return Text("{palette} “{action}”", palette=self.shown_key("palette"), action=BY_ID[id].title)
 
+    def shown_letter(self, id: str) -> str:
+        """Its last key, a letter or a sign, which is shorter to strike where nobody types."""
+        keys = self.keys_of(id)
+        return key_name(keys[-1]) if keys else self.shown_key(id)
+
     def forget(self, *texts: Text) -> None:
         """Take these notifications back if they are still shown."""
         shown = set(map(self.say, texts))

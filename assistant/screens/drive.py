@@ -168,7 +168,7 @@ class Driving(Choosing):
             yield OfferList()
             yield Static(id="choosing-preview")
             names = ("across", "upright", "sort", "view", "compare", "walk_back", "walk_on", "help")
-            hint = Text(HINT.template, **{id: self.app.shown_key(id) for id in names})
+            hint = Text(HINT.template, **{id: self.app.shown_letter(id) for id in names})
             yield Static(Content.styled(self.app.say(hint), "dim"))
 
     def on_resize(self) -> None:

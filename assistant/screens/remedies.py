@@ -263,7 +263,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
 
     def _hint(self) -> Text:
         """What Enter does with the row, and the other keys."""
-        shown = {id: self.app.shown_key(id) for id in ("compare", "lock", "export")}
+        shown = {id: self.app.shown_letter(id) for id in ("compare", "lock", "export")}
         keys, way = Text(HINT.template, **shown), self.way
         if way is None:
             return Text("Esc goes back")

@@ -353,7 +353,7 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             yield OfferList()
             yield Static(id="choosing-preview")
             yield Static(
-                Content.styled(self.app.say(Text(HINT.template, compare=self.app.shown_key("compare"))), "dim")
+                Content.styled(self.app.say(Text(HINT.template, compare=self.app.shown_letter("compare"))), "dim")
             )
 
     def on_mount(self) -> None:

@@ -52,7 +52,7 @@ class WorkbenchMoves(WorkbenchResults):
         await self._arrive(STEPS[n - 1])
 
     async def _arrive(self, step: Step, offered: bool = True) -> None:
-        """Open a step; what is to be chosen in it, or is `offered`, stands under the cursor, where letters stay keys."""
+        """Open a step; what is to be chosen in it, or `offered`, stands under the cursor, where letters stay keys."""
         idle = isinstance(self.focused, Form)
         await self.open_step(step)
         free = not self._done or (offered and not asks(self.session.data, step.key))
