@@ -27,7 +27,7 @@ async def test_a_toast_covers_no_help_and_no_foot(light: Session) -> None:
             return [toast for toast in rack.walk_children(Toast) if rack.display and toast.region]
 
         await go_to(pilot, "engine.bore_mm")
-        pilot.app.notify(WORDS)
+        pilot.app.notify(WORDS, timeout=600)
         for size in ((120, 40), (80, 24), (60, 18)):
             await pilot.resize_terminal(*size)
             shown = await toasts()
