@@ -292,6 +292,9 @@ class WorkbenchEdits(WorkbenchMoves):
     def build_step(self, step: str, choice: str) -> None:
         """Build it, with the balancing or the kind of bearings that was chosen, in another thread: that may take a
         second."""
+        if not self.session.valid:
+            self.app.tell(FIRST_VALID, "warning")
+            return
         self.app.tell(BUILDING)
         self.in_thread("build", partial(self._build, self.session, step, choice))
 
@@ -330,16 +333,16 @@ class WorkbenchEdits(WorkbenchMoves):
         self.set_focus(self.form, scroll_visible=False)
         self.edited()
         if not step:
-            self.call_later(self._built_all)
+            self.call_later(self._built_all, plan.left)
 
-    async def _built_all(self) -> None:
+    async def _built_all(self, why: Text) -> None:
         """To the closing page, or to the first step that the rules could not build, which says why."""
         todo = next((state.key for state in states_of(self.session) if state.state == "todo"), None)
         if todo is None:
             self.action_ready()
         else:
             await self.open_step(next(step for step in STEPS if step.key == todo))
-            self.app.tell(Text("The rules came no further than this step."), "warning")
+            self.app.tell(Text("The rules came no further than this step: {why}.", why=why), "warning")
 
     def action_leave_out(self) -> None:
         """Leave the step out that is shown."""
@@ -549,6 +552,9 @@ class WorkbenchEdits(WorkbenchMoves):
     # --- recording
     def action_record(self) -> None:
         """Begin to record a replay; or end it, and ask where to write it."""
+        if self.session.blank:
+            self.app.tell(FIRST_VALID, "warning")
+            return
         if self.session.recording is None:
             self.session.record()
             self.app.tell(

@@ -160,11 +160,12 @@ NEAR = 0.1  # of their diameter: profile shifts bring two wheels no further toge
 
 @dataclass(frozen=True)
 class BuildPlan:
-    """What was built for the tables of a design; `why`: it can not be built."""
+    """What was built for the tables of a design; `why`: it can not be built; `left`: why the rules came no further."""
 
     of: Table = field(repr=False)
     data: Table = field(repr=False)
     why: Text = EMPTY
+    left: Text = EMPTY
 
 
 class Editing:
@@ -174,20 +175,21 @@ class Editing:
         """`blank`: it may be no design yet, of which nothing is known then but its name.  Raises BadInput."""
         self.document: Document = parse(raw, str(origin))
         self.errors: tuple[InputError, ...] = ()
+        self.blank = False  # it has been no design yet
         try:
             self.design: Design = design(self.document)
         except BadInput as bad:
             if not blank:
                 raise
+            self.blank = True
             self.design = Design(schema=SCHEMA, name=str(self.document.data.get(NAME, "")))
             self.errors = tuple(bad.errors)
         self.generation = 1
         self.history = History(EditState(self.document.data, {}))
-        self._valid: Table = self.document.data  # the last tables that were a valid design, or with which it began
+        self._valid: Table = self.document.data  # the last tables that were a valid design; while it is blank, the first
         self.recording: Recording | None = None  # follows the edits, if it was asked for
         self.own_name = origin.stem  # of what is no longer another's
         self.decimal = "."  # sign of the user's language
-        self.typed = set[Place]()  # where something was typed since the design was opened
 
     # --- what is shown
     @property
@@ -235,10 +237,8 @@ class Editing:
         return reasons
 
     def lacks(self, where: Place) -> bool:
-        """Whether a field that is not accepted is one to be filled in: nothing wrong was typed, and what is usual there
-        is known."""
-        about = described(where)
-        return about.usual is not None and where not in self.typed and not self.text(where)
+        """Whether a field that is not accepted is one to be filled in: empty, in what has been no design yet."""
+        return self.blank and where not in self._state.texts and self.value(where) is None
 
     @property
     def lacking(self) -> list[Place]:
@@ -250,8 +250,7 @@ class Editing:
     def inherited(self) -> tuple[str, tuple[Place, ...]]:
         """The engine that the design began with, and which of its numbers are still there; not those that were typed
         alike."""
-        name, places = inherited(self._state.data)
-        return name, tuple(place for place in places if place not in self.typed)
+        return inherited(self._state.data)
 
     # --- editing
     def edit(self, key: str | Place, text: str) -> Text:
@@ -260,7 +259,6 @@ class Editing:
         Edits of one field that follow each other are one step of the undo; `seal()` ends the step.
         """
         where = self.place(key)
-        self.typed.add(where)
         texts = {k: v for k, v in self._state.texts.items() if k != where}
         try:
             # such a table goes with its last key, so a key must go too
@@ -418,7 +416,8 @@ class Editing:
 
         document = self.document
         made, why = all_built(document)
-        return BuildPlan(document.data, made.data, why if made is document else EMPTY)
+        none = made.data == document.data
+        return BuildPlan(document.data, made.data, why if none else EMPTY, left=EMPTY if none else why)
 
     def take(self, plan: "BuildPlan") -> Text:
         """Put in what was built, as one step of the undo.  Gives the reason why not, or nothing."""
@@ -461,7 +460,7 @@ class Editing:
 
     def _step(self, state: EditState, where: Place | None) -> None:
         before = self._state
-        data = owned(before.data, state.data, self.own_name)
+        data = owned(before.data, state.data, self.own_name, typed=where)
         state = state if data is state.data else replace(state, data=data)
         if self.history.go(state, where):
             if self.recording is not None and not self.history.joined:
@@ -478,6 +477,7 @@ class Editing:
         try:
             self.design = design(replace(self.document, former=None))  # fields go by their keys of today
             self.errors = ()
+            self.blank = False
             self._valid = data
         except BadInput as bad:
             self.errors = tuple(bad.errors)

@@ -46,8 +46,9 @@ WHOLE = r"{what}\. Data: {source}\."  # of a design of that engine itself
 
 def inherited(data: Table) -> tuple[str, tuple[Place, ...]]:
     """The name of the engine that a design began with, and the places of its numbers that are still there."""
-    said = _said(str(data.get(NOTE, "")))
-    return (engines()[said[0]].name, _still(data, said[0])) if said is not None else ("", ())
+    note = str(data.get(NOTE, ""))
+    said = _said(note)
+    return (engines()[said[0]].name, _named(data, note, *said)) if said is not None else ("", ())
 
 
 def begun_note(id: str) -> str:
@@ -55,15 +56,16 @@ def begun_note(id: str) -> str:
     return _sentence(id, _still({ENGINE: _table(id)}, id))
 
 
-def owned(before: Table, data: Table, own_name: str) -> Table:
-    """The tables after an edit, whose note, and whose names, are no more of another engine than the numbers are."""
+def owned(before: Table, data: Table, own_name: str, typed: Place | None = None) -> Table:
+    """The tables after an edit, whose note, and whose names, are no more of another engine than the numbers are;
+    `typed`: where one was typed, which is one's own also where it is alike."""
     note = str(data.get(NOTE, ""))
     said = _said(note) or _whole(note, before)
     if said is None or note != before.get(NOTE, ""):  # it is just being written
         return data
     id, start, end = said
-    left = _still(data, id)
-    if left == _still(before, id):
+    left = tuple(place for place in _named(data, note, id, start, end) if place != typed)
+    if left == _named(before, note, id, start, end):
         return data
     words = " ".join(filter(None, (note[:start].strip(), _sentence(id, left) if left else "", note[end:].strip())))
     data = changed(data, (NOTE,), words or None)
@@ -101,9 +103,25 @@ def _found(note: str, patterns: tuple[str, ...]) -> tuple[str, int, int] | None:
 
 
 def _sentence(id: str, places: tuple[Place, ...]) -> str:
-    labels = ", ".join(str(label_of({ENGINE: _table(id)}, ".".join(map(str, place)))) for place in places)
+    """As it stands in the note, in English: it is read again by `SAID`."""
+    labels = ", ".join(_label(id, place) for place in places)
     sources = "; ".join(part for part in engines()[id].source.split("; ") if _is_of(part, places))
     return f"Still of {engines()[id].name}: {labels}. Their source: {sources}."
+
+
+def _label(id: str, place: Place) -> str:
+    return str(label_of({ENGINE: _table(id)}, ".".join(map(str, place))))
+
+
+def _named(data: Table, note: str, id: str, start: int, end: int) -> tuple[Place, ...]:
+    """What is still there of all that the note names; of notes of earlier versions, of all that the engine has."""
+    front = f"Still of {engines()[id].name}: "
+    said = note[start:end]
+    places = _still(data, id)
+    if not said.startswith(front):
+        return places
+    labels = said.removeprefix(front).partition(". Their source: ")[0].split(", ")
+    return tuple(place for place in places if _label(id, place) in labels)
 
 
 def _is_of(source: str, places: tuple[Place, ...]) -> bool:

@@ -114,11 +114,17 @@ class Session(Editing):
 
     @classmethod
     def begin(
-        cls, data: Table, path: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now
+        cls,
+        data: Table,
+        path: Path,
+        *,
+        memory: Memory | None = None,
+        now: Callable[[], datetime] = datetime.now,
+        again: bool = False,
     ) -> "Session":
         """A design that has no file before it is saved.  Raises BadInput where the tables are no design; an engine
-        alone may still have to be filled in."""
-        blank = set(data) <= ALONE
+        alone may still have to be filled in, and so may what is begun `again`."""
+        blank = again or set(data) <= ALONE
         session = cls(fresh_text(data).encode("utf-8"), path, memory=memory, now=now, blank=blank)
         session._unwritten = True
         session.memory.remember(path)
@@ -129,7 +135,7 @@ class Session(Editing):
         """A design that was kept, and never saved."""
         for kept in memory.left(path):
             try:
-                session = cls.begin(kept.data, path, memory=memory, now=now)
+                session = cls.begin(kept.data, path, memory=memory, now=now, again=True)
             except BadInput:
                 continue
             session._taken = kept
@@ -372,6 +378,7 @@ class Session(Editing):
         with self._keeping:
             self._drop()
             self.path, self._raw, self._stamp, self._unwritten = path, raw, None, False
+            self.own_name = path.stem
             self.document = document
             self.saved = self._valid = self.document.data
             self.history.state = EditState(self.document.data, {})
@@ -426,7 +433,8 @@ class Session(Editing):
     def autosave(self) -> None:
         """Keep aside the last valid state and the entries that are not accepted; a failure is remembered."""
         with self._keeping:
-            state, data = self._state, self._valid
+            state = self._state
+            data = state.data if self.blank else self._valid
             typed = not_accepted(data, state)
             if data == self.saved and not typed and not self._unwritten:
                 # those of an earlier session, all of them taken back

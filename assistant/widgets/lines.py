@@ -97,12 +97,14 @@ class MessageLine(Widget):
         step = "" if mine else self._title(step_of(place, data))
         mistake = Text(
             "{key}: {reason}",
-            key=label_of(data, named_key(data, place)) if place else Text("the design"),
+            key=self._label(place) if place else Text("the design"),
             reason=reason,
         )
         if len(reasons) > 1:
             mistake = Text("{mistake}  ({n} in all)", mistake=mistake, n=len(reasons))
-        return step + self.app.say(Text("{mistake}. The results are those of the last valid input.", mistake=mistake))
+        if not self.session.blank:
+            mistake = Text("{mistake}. The results are those of the last valid input.", mistake=mistake)
+        return step + self.app.say(mistake)
 
     def _urgent_here(self, outcome: Outcome[object], brief: bool) -> tuple[str, str] | None:
         """The worst finding of this step, and how many there are."""
