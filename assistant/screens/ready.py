@@ -21,7 +21,7 @@ from calc.sheet.check import Check
 from calc.sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of
 from calc.studies.described import not_counted
-from calc.studies.headlines import closest_limit, headline, main_numbers, remaining
+from calc.studies.headlines import closest_limit, felt, headline, main_numbers, remaining
 from calc.studies.ready import OF_PROGRAM, SOLVED, StepState
 
 from ..actions import bound
@@ -153,6 +153,8 @@ class Closing(ItemList):
         labels = COMMA.join(label_of(session.data, named_key(session.data, place)) for place in places)
         title = plural("{n} value is still {engine}'s", "{n} values are still {engine}'s", n=len(places), engine=engine)
         yield self._part(title, [(str(places[0][0]), labels)] if places else [], width)
+        reaches = list(felt(session.results)) if session.results is not None else []
+        yield self._part(Text("the driver feels"), reaches, width)
         stays = list(remaining(session.results)) if session.results is not None else []
         yield self._part(Text("stays ({n})", n=len(stays)), stays, width)
         without = [

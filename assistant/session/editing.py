@@ -186,7 +186,9 @@ class Editing:
             self.errors = tuple(bad.errors)
         self.generation = 1
         self.history = History(EditState(self.document.data, {}))
-        self._valid: Table = self.document.data  # the last tables that were a valid design; while it is blank, the first
+        self._valid: Table = (
+            self.document.data
+        )  # the last that were a valid design; of a blank one the first
         self.recording: Recording | None = None  # follows the edits, if it was asked for
         self.own_name = origin.stem  # of what is no longer another's
         self.decimal = "."  # sign of the user's language

@@ -4,6 +4,7 @@
 Made when somebody looks.  The loads are those of the design as it is; each set is solved as it would stand there, with
 all its checks."""
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
@@ -231,8 +232,8 @@ def _table(case: ComparisonCase, sets: Compared, none: list[Text]) -> Table:
             (
                 one.name,
                 _sizes(one),
-                *map(_watts, losses.at),
-                *([_watts(losses.mean)] if case.rows is not None else []),
+                *map(_three, losses.at),
+                *([_three(losses.mean)] if case.rows is not None else []),
                 Text("by film") if life is None else float(f"{life / 3600:.3g}"),
                 max(r.seat_size() for r in one.bearings.values()) * 1e3,
                 float(f"{sum(r.mass() for r in one.bearings.values()):.3g}"),
@@ -316,12 +317,9 @@ def _risks(case: ComparisonCase, one: BearingSet) -> Text:
     return words if len(rules) <= RISKS else Text("{words}; {n} more", words=words, n=len(rules) - RISKS)
 
 
-def _watts(P: float) -> float | None:
-    return _three(P) if np.isfinite(P) else None
-
-
-def _three(x: float) -> float:
-    return float(f"{x:.3g}")
+def _three(x: float) -> float | None:
+    """Three figures; none where a part of the duty has no film."""
+    return float(f"{x:.3g}") if math.isfinite(x) else None
 
 
 def _curve(case: ComparisonCase, sets: Compared) -> Curve:

@@ -12,7 +12,8 @@ from ..countershaft.sums import NOTHING, SystemResult
 from ..design.model import STEPS, Design
 from ..engine.result import EngineResult
 from ..friction.result import FrictionResult
-from ..gears.drive.checks import FLYWHEEL, GAS, grade_letter
+from ..gears.drive.checks import FLYWHEEL, GAS, grade_letter, grade_limits
+from ..gears.drive.curves import MM_S
 from ..gears.drive.result import HARDEST, IDLE, DriveResult, MeshOverSpeed, WheelStruck
 from ..gears.drive.tables import kilonewtons, point_words, sentence, worst
 from ..gears.rating.result import MeshStrength
@@ -176,6 +177,12 @@ def _rattle(results: Results) -> Text | None:
     if drive is None or drive.grade is None or u is None:
         return None
     return Text("{grade} {u}", grade=grade_letter(drive.grade), u=Amount(u.shown, u.unit, form=".0f"))
+
+
+def _graded(results: Results) -> Text | None:
+    """The same beside what the grades are: `B 58 mm/s (A ≤ 35, B ≤ 70)`."""
+    strikes, (A, B) = _rattle(results), (Amount(u * MM_S, form=".0f") for u in grade_limits())
+    return Text("{strikes} (A ≤ {A}, B ≤ {B})", strikes=strikes, A=A, B=B) if strikes is not None else None
 
 
 def _gears(results: Results) -> Text | None:
@@ -361,7 +368,7 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
     numbers += [
         (Text("oil leaves with"), extreme(max, results.values_of(PlainResult.outlet_temperature))),
         (Text("backlash"), _backlash(results)),
-        (Text("rattle at idle"), _rattle(results)),
+        (Text("rattle at idle"), _graded(results)),
     ]
     for symbol, values in rated.items():
         under = governing.get(symbol)
@@ -381,6 +388,15 @@ def closest_limit(results: Results) -> Text:
     """The limit of physics that is nearest, by name and margin; a dash where none was judged."""
     check = closest(results.checks())
     return Text("{name}, {margin}", name=check.name, margin=check.margin_text()) if check is not None else Name("–")
+
+
+def felt(results: Results) -> Iterator[tuple[str, Text]]:
+    """What of all this reaches the driver, each with the step that has it."""
+    mounting = results.outcomes["mounting"]
+    if mounting.state == "solved":
+        yield mounting.key, mounting.reason
+    elif mounting.state == "not_asked":
+        yield mounting.key, Text("not known without step 7, mounting")
 
 
 _SUPPLIED_ELSEWHERE = (

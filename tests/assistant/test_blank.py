@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """An engine of one's own, whose fields are still to be filled in."""
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -10,8 +11,9 @@ from assistant.screens.workbench_edits import FIRST_VALID
 from assistant.session.beginnings import _blanks, blank, engine_only
 from assistant.session.recovery import Memory
 from assistant.session.session import Session
+from calc.studies.shipped import engine_design
 
-from .driving import settled, strike, told
+from .driving import settled, told, work
 
 
 @pytest.fixture
@@ -67,10 +69,11 @@ def test_a_number_typed_alike_is_ones_own_until_it_is_taken_back(path: Path, mem
 
 
 def test_its_own_name_is_that_of_its_file(path: Path, memory: Memory) -> None:
-    session = Session.begin(engine_only("inline-3", path), path, memory=memory)
+    path.write_text(engine_design("inline-6"), encoding="utf-8")
+    session = Session.open(path, memory=memory)
     session.save_as(path.with_name("ours.toml"))
     session.edit("engine.bore_mm", "77")
-    assert session.text("engine.name") == "ours"
+    assert session.text("name") == session.text("engine.name") == "ours"
 
 
 async def test_nothing_is_built_or_recorded_of_it(path: Path, memory: Memory) -> None:
@@ -78,9 +81,10 @@ async def test_nothing_is_built_or_recorded_of_it(path: Path, memory: Memory) ->
     app = ContralberoApp(session)
     async with app.run_test(size=(80, 24)) as pilot:
         await settled(pilot)
-        for keys in (("alt+3", "enter"), ("ctrl+g",), ("shift+f12",)):
+        bench = work(pilot)
+        for does in (partial(bench.build_step, "countershaft", ""), bench.action_build_all, bench.action_record):
             app.clear_notifications()
-            await strike(pilot, *keys)
-            await settled(pilot)
-            assert told(pilot).strip().endswith(str(FIRST_VALID)), keys
+            does()
+            await pilot.pause()
+            assert told(pilot).strip().endswith(str(FIRST_VALID)), does
         assert session.recording is None

@@ -36,6 +36,10 @@ def test_extreme_fields_end_cleanly(case: tuple[str, dict[str, float]]) -> None:
     assert faults(ALL[name], changes) == []
 
 
+def test_a_duty_without_load_has_no_cost_of_plain_bearings() -> None:
+    assert faults(ALL["r753ie4_rolling"], {"engine.strokes": 2, "bearings.duty.rated.load_factor": 0}) == []
+
+
 @pytest.mark.slow
 @given(placed(6))
 @settings(max_examples=400, suppress_health_check=[HealthCheck.too_slow])
