@@ -193,8 +193,9 @@ class ContralberoApp(BaseApp):
             await self._take(event)
 
     async def _take(self, event: events.Event) -> None:
-        """Keys that follow one that leads away are for where it leads: to the palette or the start page, out of the
-        palette by Enter or Escape, out of a field by a key of an action."""
+        """Keys that follow one that leads away wait until that is done, and are for where it leads: what opens a
+        screen, Enter and Escape on every screen but the main one, and in a field any key of an action that it does
+        not take itself."""
         if not isinstance(event, events.Key) or event.is_forwarded:
             await super().on_event(event)
             return

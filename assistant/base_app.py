@@ -53,7 +53,7 @@ class BaseApp(App[int]):
         self.warned_of: Path | None = None  # the file that another program has changed, once the user has been told
         self.writing = EMPTY  # a file that is being written, and how far it is
         self.struck, self.struck_key = 0.0, ""  # when the last key was struck, by `time.monotonic`, and which
-        self.guiding = settings.guide  # each form begins with what is to be decided in its step
+        self.guiding = settings.guide  # the form of a step that is there says, too, what is good in it
 
     def fit_signs(self) -> None:
         """The signs of the language, the theme and the terminal as they are now."""

@@ -204,6 +204,8 @@ class Driving(Choosing):
             tell(SHARE * (done + grown) / count, words)
 
         def solving(done: int, of: int) -> None:
+            if not done:
+                self._enough = False  # Enter has ended the classes; another one ends this
             tell(SHARE + (1 - SHARE) * done / of, Text("{n} of {of} drives solved whole", n=done, of=of))
 
         def trying() -> bool:
@@ -364,7 +366,7 @@ class Driving(Choosing):
         self._draw()
 
     def action_take(self) -> None:
-        """While it is searched: keep what there is by then."""
+        """While it is searched: keep what there is by then; what the classes gave is still solved whole."""
         if self.searching:
             self._enough = True
         else:

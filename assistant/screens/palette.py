@@ -21,7 +21,6 @@ from calc.design.addresses import quantities, step_at, within
 from calc.design.model import STEPS, Design
 from calc.design.names import choice_word
 from calc.locale import LANGUAGES, language
-from calc.sheet.check import Check
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Curve
 from calc.sheet.text import EMPTY, Text
@@ -159,11 +158,12 @@ def _of_design() -> Iterator[tuple[str, Quantity]]:
 
 
 def _results(work: Workbench, add: Add) -> None:
+    steps = {step.key: step for step in STEPS}
     for check in work.session.results.checks() if work.session.results is not None else ():
         add(
             Text("Check: {name}", name=check.name),
             Text("Goes to this check."),
-            partial(to_check, work, check),
+            partial(work.to_check, steps[check.id.partition(".")[0]], check.id),
             check.id,
             weight=PLACE,
         )
@@ -195,8 +195,10 @@ def _program(app: BaseApp, open: bool, add: Add) -> None:
             begin = partial(app.begin, engines=True)
             add(Text("New: own engine …"), row.about, begin, called=OWN_WORDS, weight=ACTION)
             continue
-        listed = Text("New from {engine}: {what}", engine=row.title, what=row.about)
-        title = Text("New: own {what}", what=row.about) if row.kind == "own" else listed
+        if row.kind == "own":
+            title = Text("New: own {what}", what=row.about)
+        else:
+            title = Text("New from {engine}: {what}", engine=row.title, what=row.about)
         found_by = (row.found_by(language(code)) for code in LANGUAGES)
         add(title, Text("Begins a design with this engine."), partial(begin_with, app, row), *found_by, "engine motore")
     for name in app.available_themes:
@@ -215,11 +217,6 @@ def _program(app: BaseApp, open: bool, add: Add) -> None:
 
 
 # --- where they lead
-
-
-async def to_check(work: Workbench, check: Check) -> None:
-    step = next(step for step in STEPS if step.key == check.id.partition(".")[0])
-    await work.to_check(step, check.id)
 
 
 def explain(work: Workbench, id: str) -> None:

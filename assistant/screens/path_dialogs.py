@@ -3,6 +3,7 @@
 
 Where a path is typed, the designs of the folder stand below, and a line says what is wrong."""
 
+import re
 from pathlib import Path
 from typing import ClassVar, TypeVar
 
@@ -317,6 +318,11 @@ class TargetDialog(PathDialog[Path | None]):
         """Whether there is a name, and not only an ending."""
         return self.text() not in ("", *self.ENDINGS)
 
+    @property
+    def leads_to_folder(self) -> bool:
+        """Whether only an ending, or nothing, stands behind the last folder."""
+        return re.split(r"[/\\]", self.text())[-1].lower() in ("", *self.ENDINGS)
+
     def take(self, path: Path) -> None:
         if Path(path.stem).suffix.lower() in self.ENDINGS:
             path = path.with_name(path.stem)  # the ending that was typed, before that which stood there
@@ -324,7 +330,7 @@ class TargetDialog(PathDialog[Path | None]):
             path = path.with_suffix(self.ENDINGS[0])
         if not self.named:
             self.say(Text("Give it a name."))
-        elif path.is_dir():
+        elif self.leads_to_folder or path.is_dir():
             self.say(Text("This is a folder; give a file name in it."))
         elif not path.parent.is_dir():
             self.say(Text("The folder {folder} does not exist.", folder=str(path.parent)))

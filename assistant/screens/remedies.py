@@ -20,7 +20,7 @@ from calc.locale import Language
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput
 from calc.sheet.progress import Progress
-from calc.sheet.text import EMPTY, Amount, Text
+from calc.sheet.text import COMMA, EMPTY, Amount, Text
 from calc.studies.repair.nearest import NearestRemedy
 from calc.studies.repair.option import ALL_CORNERS, AS_GIVEN, LOCKED, NEAR, RepairOption, ranked
 from calc.studies.repair.options import search
@@ -254,7 +254,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         say, way = self.app.say, self.way
         lines = self.verdict_rows(way.verdicts if way is not None else (), self.app.signs.mark("then"))
         if way is not None and way.left:
-            still = Text("still open: {checks}", checks=Text(", ").join(way.left))
+            still = Text("still open: {checks}", checks=COMMA.join(way.left))
             lines += [Content.styled(row, "dim") for row in wrap(say(still), self.room, 2)[:2]]
         if way is not None and way.side.words and (way.side.opens or len(way.breaks) > 2):
             lines += [Content.styled(row, "dim") for row in wrap(say(way.side.words), self.room, 2)[:2]]

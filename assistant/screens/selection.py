@@ -218,7 +218,8 @@ class Searching(Once, ModalScreen[Taken], Generic[Taken, Found]):
 # Each numbered row can be taken.
 
 TOP = 40  # rows of a table
-TALL = 30  # rows of a screen from which there is room for prose beside a table
+# rows of a screen from which there is room for prose beside a table, and for all of the row under the cursor
+TALL = 30
 
 
 class OfferList(ItemList):
@@ -297,7 +298,6 @@ HINT = Text("Enter takes the row · ↑ ↓ rows · {compare} compares now → r
 
 
 NAMED, FIRST = 8, 5  # changes of a row that are told one by one, and how many of more
-ROOMY = 30  # rows of a screen on which all of the row under the cursor has room
 
 
 @dataclass(frozen=True)
@@ -489,7 +489,7 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             changes = preview.words or Text("the design as it is")
             text = Text("Row {n}: {changes}", n=preview.number, changes=changes)
             rows = [Content(row) for row in self._clipped(say(text).replace("→", self.app.signs.mark("then")), 2)]
-            most = 2 if self.app.size.height >= ROOMY else 1
+            most = 2 if self.app.size.height >= TALL else 1
             for what, state in ((preview.shut, "blocked"), (preview.warns, self._colour(preview))):
                 if what:
                     words = say(Text("Row {n}: {what}", n=preview.number, what=what))

@@ -141,17 +141,14 @@ class WorkbenchMoves(WorkbenchResults):
             step, check = next(
                 (f for f in faults if f[0] is self.step and f[1].verdict == faults[0][1].verdict), faults[0]
             )
-        self.at_pane("checks")
-        await self.open_step(step, stay=True)
-        if (shaft := session.shaft_of_finding(check.id)) is not None:
-            self.look_at(shaft)
-        self.set_focus(checks)
-        self.call_after_refresh(checks.go_to, check.id)
+        await self.to_check(step, check.id)
 
     async def to_check(self, step: Step, id: str) -> None:
-        """To a finding of a step."""
+        """To a finding of a step, with the shaft in view that it is of."""
         self.at_pane("checks")
         await self.open_step(step, stay=True)
+        if (shaft := self.session.shaft_of_finding(id)) is not None:
+            self.look_at(shaft)
         self.set_focus(self.checks)
         self.call_after_refresh(self.checks.go_to, id)
 

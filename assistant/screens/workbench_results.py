@@ -318,9 +318,9 @@ class WorkbenchResults(WorkbenchPanes):
         return self.known_remedy(self.trouble)
 
     def known_remedy(self, step: str) -> "NearestRemedy | None":
-        """That of any step."""
+        """That of any step; none while the results are not those of the design as it is."""
         results, known = self.remedies.get(step, (None, None))
-        return known if results is not None and results is self.session.results else None
+        return known if self.session.current and results is self.session.results else None
 
     def seek_remedy(self) -> None:
         """Look for a remedy for each step that fails, while nothing else is to be done: it is there when the step is

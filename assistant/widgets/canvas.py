@@ -458,16 +458,10 @@ class Canvas:
         )
         if mark.upright:
             top, bottom = sorted((r0, r1))
-            for row in range(top, bottom + 1):
-                alone = "|" if ascii else "↕"
-                end = "+" if ascii else "┬" if row == top else "┴"
-                self.put(
-                    row,
-                    c0,
-                    alone if top == bottom else end if row in (top, bottom) else "|" if ascii else "│",
-                    role,
-                    free=True,
-                )
+            alone, inner, first, last = ("|", "|", "+", "+") if ascii else ("↕", "│", "┬", "┴")
+            letters = [alone] if top == bottom else [first, *[inner] * (bottom - top - 1), last]
+            for row, letter in enumerate(letters, top):
+                self.put(row, c0, letter, role, free=True)
         else:
             left, right = sorted((c0, c1))
             inner = ("-" if ascii else "─") * (right - left - 1)

@@ -185,7 +185,7 @@ class MessageLine(Widget):
         """What a remedy changes, and, `whole`, what the step then is; shorter and shorter."""
         parts = not_repeated([self.app.say(words) for words in remedy.each])
         for count in range(len(parts), 0, -1):
-            words: Text = Name(", ".join(parts[:count]))
+            words = COMMA.join([Name(part) for part in parts[:count]])
             if more := len(parts) - count:
                 words = Text("{changes}, and {n} more", changes=words, n=more)
             if whole:

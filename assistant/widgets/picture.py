@@ -27,7 +27,7 @@ RATE = 10.0  # times a second
 KEPT = 40  # drawings; a whole turn
 WAITS = Text("The picture waits for the results of the step {step}.")
 FAILED = Text("The picture of this step cannot be drawn.")
-MORE = Text(", . other pictures")
+MORE = Text("{walk_back} {walk_on} other pictures")
 
 
 class Picture(Widget, can_focus=True):
@@ -85,7 +85,9 @@ class Picture(Widget, can_focus=True):
                 self.views = sketch.views
                 lit = self.design.as_in_rules(self.lit) if self.design is not None else self.lit
                 sketch = sketch if self.view else self._with(lit, sketch)
-                return draw(sketch, columns, rows, signs, say, lit, MORE), sketch.turning
+                key = self.app.shown_key
+                more = Text(MORE.template, walk_back=key("walk_back"), walk_on=key("walk_on"))
+                return draw(sketch, columns, rows, signs, say, lit, more), sketch.turning
         except Exception:  # a picture that cannot be drawn never stops the work that it shows
             sketch = FAILED
         return Content.styled(say(sketch), signs.style("muted")), False

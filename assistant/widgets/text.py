@@ -3,6 +3,7 @@
 
 Rows break at spaces, a long formula where the fewest brackets are open."""
 
+import math
 import re
 import unicodedata
 from collections.abc import Callable, Sequence
@@ -135,7 +136,8 @@ ROOM = 1.5  # the length of the line, over a limit that the value keeps
 
 def bar(value: float, low: float | None, high: float | None, signs: Signs, style: str = "") -> Content:
     """`low`, `high`: the least and the greatest that is allowed, None where there is none.  Where there is one the line
-    goes from nought beyond it, and the value has its sign; else it reaches beyond both."""
+    goes from nought beyond it, and the value has its sign; else it reaches beyond both.  What lies beyond the line,
+    however far, stands in its outermost cell."""
     right, wrong, mark, here = ("=", ".", "|", "o") if signs.ascii else ("━", "╌", "┃", "●")
     if low is not None and high is not None:
         first, last = 1, CELLS - 2
@@ -145,10 +147,10 @@ def bar(value: float, low: float | None, high: float | None, signs: Signs, style
         if (low or high or 0.0) < 0:  # more of it lies to the left
             return bar(-value, None if high is None else -high, None if low is None else -low, signs, style)
         limit = (low if high is None else high) or 0.0
-        end = max(value, limit * ROOM) or 1.0
+        end = max(value if math.isfinite(value) else 0.0, limit * ROOM) or 1.0
         edge = min(CELLS - 2, max(1, int(CELLS * limit / end)))
         first, last = (-1, edge) if low is None else (edge, CELLS)
-        at = min(CELLS - 1, int(CELLS * value / end))
+        at = min(CELLS - 1, int(CELLS * min(1.0, max(0.0, value / end))))
         above = value > limit or (value == limit and high is None)
         at = max(edge + 1, at) if above else min(edge - 1, at)
     parts: list[Content | tuple[str, str] | str] = []

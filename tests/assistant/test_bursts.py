@@ -86,6 +86,12 @@ async def test_a_name_typed_over_another_one(screen: Screen, light: Session, gap
         await until(pilot, lambda: isinstance(pilot.app.screen, SaveDialog))
         await strike(pilot, *ERASED, "delete", *["delete"] * 5, "enter")
         assert "Give it a name." in str(pilot.app.screen.query_one("#wrong", Static).content)
+        sub = light.home.with_name("sub")
+        sub.mkdir()
+        for rest in ("sub/", ".toml"):  # as it is where the ending that stood there stays, too
+            await strike(pilot, *rest, "enter")
+            assert "This is a folder" in str(pilot.app.screen.query_one("#wrong", Static).content)
+        assert not list(sub.iterdir())
 
 
 @pytest.mark.slow

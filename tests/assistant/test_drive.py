@@ -102,3 +102,18 @@ async def test_what_stops_every_drive_is_said(screen: Screen, few: Session) -> N
         assert shown.front is None
         words = str(shown.query_one("#choosing-state").content)  # type: ignore[attr-defined]
         assert "every drive that was solved whole breaks" in words and "gears.crank_central.backlash" in words
+
+
+def test_enter_ends_the_classes_and_then_the_solving(few: Session) -> None:
+    """What the classes gave is still solved whole, until another Enter ends that too."""
+    shown, told = Driving(few), list[str]()
+    shown.searching = True
+
+    def progress(share: float, what: str) -> None:
+        told.append(what)
+        if ": front" in what or what.startswith("2 of"):
+            shown.action_take()
+
+    list(shown.search(progress))
+    assert told[-3:] == [f"{n} of 6 drives solved whole" for n in range(3)]
+    assert shown.front is not None and len(shown.front.drives) == 2

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The findings of a step: in groups, folded, told in full under the cursor; and how it looks in any width."""
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -220,6 +221,10 @@ def test_a_bar_shows_on_which_side_of_its_limits_a_value_is_right() -> None:
     assert [drawn(x, 0.25, 0.8) for x in (0.2, 0.64, 0.9)] == ["●┃━━━━┃╌", "╌┃━━●━┃╌", "╌┃━━━━┃●"]
     assert drawn(-7, -5, None) == drawn(7, None, 5)  # below nought more lies farther out
     assert bar(7.41, 9, None, plain).plain == "....o|=="
+    for low, high in ((9, None), (None, 1), (None, 0), (0.25, 0.8)):  # what lies far beyond stands at the end
+        assert drawn(math.inf, low, high)[-1] == "●" == drawn(-math.inf, low, high)[0]
+        assert drawn(1e9, low, high)[-1] == "●" == drawn(-1e9, low, high)[0]
+    assert drawn(-math.inf, -5, None) == drawn(math.inf, None, 5)
     for n in range(1, 400):
         value, limit = n / 100, 1.0
         for low, high in ((limit, None), (None, limit)):

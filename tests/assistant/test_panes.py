@@ -11,6 +11,7 @@ from textual.widgets import Input
 
 from assistant.actions import ACTIONS
 from assistant.screens.ready import ReadyScreen
+from assistant.screens.selection import Choosing
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
 from assistant.widgets.calculation import Calculation
@@ -117,6 +118,14 @@ async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(
         await settled(pilot)
         assert bench.trouble == "gears" and bench.remedy is not None
         assert sorted(sought) == ["bearings", "gears"]
+        session.edit("engine.bore_mm", "93")  # of results that are no longer the design's there is none
+        assert session.results is not None and bench.known_remedy("gears") is None
+        await bench.open_step(STEPS[4])
+        session.edit("engine.bore_mm", "92")
+        bench.action_choose()
+        chosen = pilot.app.screen
+        assert isinstance(chosen, Choosing) and chosen.step == "gears" and chosen.nearest is None
+        await strike(pilot, "escape")
 
 
 @pytest.mark.slow

@@ -16,7 +16,7 @@ from .state import ORDER, worse_limits
 NAMED = 2  # checks that are named, of more the number
 
 
-def listed(names: Sequence[Text]) -> Text:
+def first_of(names: Sequence[Text]) -> Text:
     """The first names, of more the number."""
     first = COMMA.join(names[:NAMED])
     return first if len(names) <= NAMED else Text("{names} and {more} more", names=first, more=len(names) - NAMED)
@@ -41,7 +41,7 @@ class SideEffects:
         """`then not kept: Safety of the root; opens 2 cautions: …`; empty where there is nothing to say."""
         parts = []
         if self.breaks:
-            parts.append(Text("then not kept: {checks}", checks=listed(self.breaks)))
+            parts.append(Text("then not kept: {checks}", checks=first_of(self.breaks)))
         if self.opens:
             parts.append(Text("{opens}: {checks}", opens=self.counted, checks=named(self.opens, NAMED)))
         return SEMICOLON.join(parts) if parts else EMPTY

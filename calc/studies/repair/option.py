@@ -17,7 +17,7 @@ from ...sheet.remedy import Changes, assignments
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, plural
 from ...sheet.verdict import named as named_checks
 from ...solve import Results
-from .effects import NO_EFFECTS, SideEffects, listed, side_effects
+from .effects import NO_EFFECTS, SideEffects, first_of, side_effects
 from .levers import disturbance
 from .state import ORDER, RepairState, broken, closer_limits, is_mended
 
@@ -82,7 +82,7 @@ class RepairOption:
             parts.append(Text("cold gap {gap}", gap=Amount(self.cold, "µm", digits=3)))
         texts = [COMMA.join(parts)] if parts else []
         if self.breaks and self.quality != BREAKS:  # of which the effect says so
-            texts.append(Text("then not kept: {checks}", checks=listed(self.breaks)))
+            texts.append(Text("then not kept: {checks}", checks=first_of(self.breaks)))
         if self.closer:
             texts.append(Text("then closer: {checks}", checks=COMMA.join(self.closer[:2])))
         return SEMICOLON.join(texts) if texts else EMPTY
@@ -148,7 +148,7 @@ def _effect(
     after: RepairState, group: tuple[Check, ...], left: tuple[Check, ...], side: SideEffects, quality: int
 ) -> Text:
     if quality == BREAKS:
-        return Text("mends this; then not kept: {checks}", checks=listed(side.breaks))
+        return Text("mends this; then not kept: {checks}", checks=first_of(side.breaks))
     if quality == NEAR and left:
         worst = left[0]
         if worst.verdict == "not_verified" and worst.missing and worst.holds:

@@ -6,7 +6,6 @@ A kind that mends the finding at every corner of its group is best, then one tha
 breaks something else, then one that only comes nearer.  What is locked is shown too, and not searched."""
 
 import math
-import time
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -290,12 +289,11 @@ def search(
     finding: Check | str,
     results: Results | None = None,
     progress: Progress | None = None,
-    seconds: float | None = None,
     nearest: NearestRemedy | None = None,
 ) -> Iterator[RepairOption]:
     """Remedies of one finding, or of a step without a solution, each as soon as it is found.  `progress` may raise
-    `Cancelled`; `seconds`: after so many no further kind is begun; `nearest`: that of the step, where it is known."""
-    state, ends = state_of(document, results), math.inf if seconds is None else time.monotonic() + seconds
+    `Cancelled`; `nearest`: that of the step, where it is known."""
+    state = state_of(document, results)
     step = finding if isinstance(finding, str) else finding.id.partition(".")[0]
     group = () if isinstance(finding, str) else group_of(state.results, finding)
     if group and group[0].verdict == "not_verified":
@@ -313,8 +311,6 @@ def search(
         known.add(computed.changes)
         yield computed
     for n, plan in enumerate([*free, *([None] if not group or group[0].kind == "limit" else [])]):
-        if time.monotonic() > ends:
-            return
         here = part(progress, n / (len(free) + 1), (n + 1) / (len(free) + 1))
         if plan is not None:
             way = _best(state, step, group, plan, here)

@@ -10,7 +10,7 @@ from itertools import product
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.rows import BearingRow
 from ...design.addresses import Table, as_list, as_table, asks, own_shafts
-from ...design.model import STEPS, Design
+from ...design.model import IN_SENTENCES, STEPS, Design
 from ...design.toml_file import Document, design
 from ...engine.crank import crank
 from ...engine.inputs import EngineInputs
@@ -136,7 +136,7 @@ def built(document: Document, step: str, choice: str = "") -> Document:
         "mounting": lambda: _with(document, mounting(document, _results(document))),
     }
     if step not in builders:
-        raise NoSolution(Text("the step {step} is not built by rules", step=step))
+        raise NoSolution(Text("the step {step} is not built by rules", step=IN_SENTENCES.get(step, step)))
     if why := hindrance(document, step):
         raise NoSolution(why)
     if step in SHAFT_STEPS[1:]:
@@ -161,7 +161,7 @@ def all_built(document: Document) -> tuple[Document, Text]:
         except (BadInput, NoSolution) as error:
             return document, text_of(error)
         if to_build(document.data) == steps:  # the balancing that was chosen has no shaft
-            return document, Text("the step {step} is not built by rules", step=step)
+            return document, Text("the step {step} is not built by rules", step=IN_SENTENCES[step])
     return document, EMPTY
 
 

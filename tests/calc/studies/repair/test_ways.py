@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What would help against one finding: several kinds, each true when it is solved afresh, in words and not in keys."""
 
+from itertools import islice
+
 import pytest
 
 from calc.design.addresses import quantity_of, value_at
@@ -126,8 +128,8 @@ def test_what_can_not_be_verified_asks_for_what_is_missing_first(name: str) -> N
     unknown = [c for c in results.checks() if c.finding == "not_verified"]
     assert unknown
     for check in unknown[:3]:
-        ways = list(search(document, check, results, seconds=0.0))
         group = {key for c in results.checks() for key in c.missing if c.missing}
+        ways = list(islice(search(document, check, results), None if check.holds else len(check.missing)))
         first = ways[: len(check.missing)]
         assert first and all(set(way.keys) <= group and way.kind.startswith("give ") for way in first)
         if check.holds:
@@ -141,7 +143,7 @@ def test_a_table_that_is_missing_is_named_and_what_fails_as_taken_comes_to_that(
     (way,) = search(gamma, finding(gamma_results, "imbalance.unbalances.couple_left"), gamma_results)
     assert (way.kind, way.keys, way.changes) == ("give unbalances", ("imbalance.unbalances",), ())
     check = finding(gamma_results, "gears.crank_central.backlash")
-    for way in search(gamma, check, gamma_results, seconds=0.0):
+    for way in search(gamma, check, gamma_results):
         if len(way.made) == 1:
             there = finding(state_of(with_changes(gamma, way.changes)).results, check.id)
             assert ("as taken" in way.effect) == there.holds and ("comes to" in way.effect) == (not there.holds)
