@@ -180,10 +180,10 @@ def _chosen(
     found: tuple[int, BearingRow] | None = None
     why, passing, longest = Counter[Text](), list[Candidate](), list[Candidate]()
     for kind in seat.kinds:
-        for one in candidates(place, _sizes(place, kind)):
+        for one in candidates(place, _sizes(place, kind, _room(solved.design, seat))):
             if one.fails:
                 why[one.fails[0].short or one.fails[0].name] += 1
-                if one.fails == (LIFE_ASKED,) and one.life is not None:
+                if LIFE_ASKED in one.fails:
                     longest.append(one)
             elif (seat, one.size.designation) not in failed:
                 passing.append(one)
@@ -205,11 +205,11 @@ def _chosen(
 
 
 def _none(place: Place, why: Counter[Text], longest: list[Candidate]) -> NoneCarries:
-    """In words; `why`: what stands against how many; `longest`: those that only live too short."""
+    """In words; `why`: what stands against how many; `longest`: those that live too short."""
     most = COMMA.join(text for text, _ in why.most_common(2))
     if not longest:
         return NoneCarries(Text("{place}: {why}", place=called(place.row.name), why=most), 0.0)
-    one = max(longest, key=lambda one: one.life or 0.0)
+    one = max(longest, key=lambda one: (-len(one.fails), one.life or 0.0))
     asked = life_asked(place.inputs, place.task.life)
     said = Text(
         "{place}: {size} lives longest of those that fit, {life} of the {asked} that are asked",
@@ -218,7 +218,7 @@ def _none(place: Place, why: Counter[Text], longest: list[Candidate]) -> NoneCar
         life=Amount((one.life or 0.0) / 3600, "h", digits=3),
         asked=Amount(asked / 3600, "h", digits=3),
     )
-    return NoneCarries(said, (one.life or 0.0) / asked)
+    return NoneCarries(said, (one.life or 0.0) / asked / len(one.fails))
 
 
 def _row(place: Place, size: str) -> BearingRow:
@@ -246,9 +246,18 @@ def _bores(made: Design, seat: SeatPlace) -> tuple[Metre, Metre]:
     return (2 * own.core_radius if passed else 0.0), 2 * own.core_radius
 
 
-def _sizes(place: Place, kind: str) -> Iterator[BearingSize[float]]:
+def _room(made: Design, seat: SeatPlace) -> Metre:
+    """How wide a bearing may be that stands as far from the sectors as a fillet is high."""
+    own = made.views[seat.shaft].own
+    if own is None or own.half_length is None:
+        return math.inf
+    position = next(row.position for row in own.bearings if row.name == seat.place)
+    return 2 * (abs(position) - own.half_length - own.fillet_radius)
+
+
+def _sizes(place: Place, kind: str, room: Metre) -> Iterator[BearingSize[float]]:
     if kind == CAGE:
-        yield from (size for size in listed_cages() if _bears(place, size))
+        yield from (size for size in listed_cages() if _bears(place, size) and size.width <= room + SMALL)
     for size in every_size():
         if _bears(place, size) and size.type == kind:
             if size.inner_ring and (kind != ROLLER or size.flanged == place.locates):

@@ -108,7 +108,7 @@ def shafts(
 def _thinnest(document: Document, results: Results, one: Arranged, kinds: tuple[str, ...]) -> Metre:
     on_rolling = _roll(kinds)
     least = 0.0 if on_rolling else math.sqrt(_load(results, one) / (RATIO * LARGEST))
-    found: tuple[int, Metre] | None = None
+    found: tuple[float, Metre] | None = None
     for diameter in (d for d in (rolling.BORES if on_rolling else JOURNALS) if d >= least):
         try:
             tried = _shaft(results, one, diameter, on_rolling)
@@ -135,11 +135,13 @@ def _on_plain(document: Document, results: Results) -> int:
     return _best(document, solve(design(document), results), OILS[:1], first=True)[0]
 
 
-def _on_rolling(document: Document, results: Results, kinds: tuple[str, ...]) -> int:
-    """The same of rolling ones, and of the shaft on them."""
+def _on_rolling(document: Document, results: Results, kinds: tuple[str, ...]) -> float:
+    """The same of rolling ones, and of the shaft on them; where none carry, the less the longer they live."""
     with_duty = rolling.with_duty(document, design(document))
     try:
         return rolling.best(with_duty, solve(design(with_duty), results), kinds)[0]
+    except rolling.NoneCarries as none:
+        return FAILS - none.nearest
     except NoSolution:
         return FAILS
 
