@@ -329,12 +329,18 @@ def _holds(document: Document) -> bool:
 def _bearings(document: Document, kind: str) -> Document:
     """With bearings of one kind; shafts that are still as the rules have them for plain ones are made for it.  Raises
     NoSolution where none of it carry, with what the nearest comes to."""
+    alone = _put(document, {"gears": None, "friction": None})
+    made_for = _ruled(alone)
     none: NoSolution | None = None
     for form in TRIED.get(kind, (kind,)):
         try:
-            return _of_one_form(document, form)
+            on_it = made_for(form) if made_for is not None else alone
+            found = bearings.on_rolling(bearings.Unborne(on_it, _results(on_it), []), (form, form)).document
         except NoSolution as error:
             none = error if none is None or _nearest(error) > _nearest(none) else none
+            continue
+        same = on_it.data.get(SHAFTS) == document.data.get(SHAFTS)
+        return _put(found, _train_of(document) if same else {}, (dotted(Design.bearings),))
     assert none is not None
     raise none
 
@@ -343,22 +349,16 @@ def _nearest(none: NoSolution) -> float:
     return none.nearest if isinstance(none, rolling.NoneCarries) else 0.0
 
 
-def _of_one_form(document: Document, kind: str) -> Document:
-    alone = _for_kind(_put(document, {"gears": None, "friction": None}), kind)
-    found = bearings.on_rolling(bearings.Unborne(alone, _results(alone), []), (kind, kind)).document
-    same = alone.data.get(SHAFTS) == document.data.get(SHAFTS)
-    return _put(found, _train_of(document) if same else {}, (dotted(Design.bearings),))
-
-
-def _for_kind(document: Document, kind: str) -> Document:
+def _ruled(document: Document) -> Callable[[str], Document] | None:
+    """The document with its shafts made for bearings of a kind, where they are still as the rules have them."""
     if (balancing := choice_made(document)) not in ("second", "repeat", "pair", "pair_and_second"):
-        return document
+        return None
     bare = _put(document, dict.fromkeys(TABLES))
     known = which.with_imbalance(bare)
     arranged = _arranged(balancing, known)
     if _with(bare, several.shafts(bare, known, arranged)).data[SHAFTS] != document.data[SHAFTS]:
-        return document
-    return _with(bare, several.shafts(bare, known, arranged, (kind, kind)))
+        return None
+    return lambda kind: _with(bare, several.shafts(bare, known, arranged, (kind, kind)))
 
 
 def _bearings_by_rule(document: Document) -> Document:

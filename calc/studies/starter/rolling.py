@@ -45,7 +45,10 @@ from .shaft import NAME
 from .writing import BEARING_ROW, Rows, Section, mm, parted, up
 
 BEARINGS = Text("rolling bearings to begin with")
-GIVE = Text("what would help: a thicker core, a slower shaft, lighter pistons, bearings of another kind or of your own")
+GIVE = Text("what would help: a thicker core, a slower shaft, or bearings of your own")
+HELPS = Text(
+    "what would help: a slower engine, lighter pistons and rods, fewer hours that are asked, or bearings of another kind"
+)
 LIFE: Second = 5000 * 3600.0
 SPREAD = 0.9  # of the lives of rollers: so many together live as much shorter
 # share of the rated speed, and of the hours
@@ -133,7 +136,7 @@ class NoneCarries(NoSolution):
 
     def __init__(self, tried: Text, nearest: Number) -> None:
         self.nearest = nearest
-        super().__init__(BEARINGS, tried, GIVE)
+        super().__init__(BEARINGS, tried, HELPS)
 
 
 @record
@@ -205,19 +208,22 @@ def _chosen(
 
 
 def _none(place: Place, why: Counter[Text], longest: list[Candidate]) -> NoneCarries:
-    """In words; `why`: what stands against how many; `longest`: those that live too short."""
+    """In words; `why`: what stands against how many; `longest`: those that live too short, some of which break other
+    limits as well."""
     most = COMMA.join(text for text, _ in why.most_common(2))
     if not longest:
         return NoneCarries(Text("{place}: {why}", place=called(place.row.name), why=most), 0.0)
     one = max(longest, key=lambda one: (-len(one.fails), one.life or 0.0))
     asked = life_asked(place.inputs, place.task.life)
     said = Text(
-        "{place}: {size} lives longest of those that fit, {life} of the {asked} that are asked",
+        "{place}: of those that fit {size} comes nearest, and lives {life} of the {asked} that are asked",
         place=called(place.row.name),
         size=one.size.designation,
         life=Amount((one.life or 0.0) / 3600, "h", digits=3),
         asked=Amount(asked / 3600, "h", digits=3),
     )
+    if others := COMMA.join(rule.short or rule.name for rule in one.fails if rule is not LIFE_ASKED):
+        said = Text("{said} ({others} fails too)", said=said, others=others)
     return NoneCarries(said, (one.life or 0.0) / asked / len(one.fails))
 
 
