@@ -189,7 +189,9 @@ class Editing:
             self.errors = tuple(bad.errors)
         self.generation = 1
         self.history = History(EditState(self.document.data, {}))
-        self._valid: Table = self.document.data  # the last tables that were a valid design; while it is blank, the first
+        self._valid: Table = (
+            self.document.data
+        )  # the last tables that were a valid design; while it is blank, the first
         self.recording: Recording | None = None  # follows the edits, if it was asked for
         self.own_name = origin.stem  # of what is no longer another's
         self.decimal = "."  # sign of the user's language
@@ -426,8 +428,8 @@ class Editing:
         return BuildPlan(document.data, made.data, why if none else EMPTY, left=EMPTY if none else why)
 
     def take(self, plan: "BuildPlan") -> Text:
-        """Put in what was built, as one step of the undo; what was asked for and refused is remembered.  Gives the reason
-        why not, or nothing."""
+        """Put in what was built, as one step of the undo; what was asked for and refused is remembered.  Gives the
+        reason why not, or nothing."""
         if not plan.why and plan.of is not self.document.data:
             return Text("The design has changed meanwhile: build it once more.")
         if not plan.why:

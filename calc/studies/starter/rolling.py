@@ -18,8 +18,8 @@ from ...bearings.result import BearingsResult
 from ...bearings.rolling.bearing import judged
 from ...bearings.rolling.checks import LIFE as LIFE_ASKED
 from ...bearings.rolling.checks import SYSTEM_LIFE, life_asked
-from ...bearings.rolling.search import HELD, SMALL, Candidate, Place, as_rolling, candidates, fitted
 from ...bearings.rolling.raceway import LEAST_CASE, case_depth_needed
+from ...bearings.rolling.search import HELD, SMALL, Candidate, Place, as_rolling, candidates, fitted
 from ...bearings.rolling.sizes import BearingSize, every_size, listed_cages, size_of
 from ...bearings.rolling.solve import case_of
 from ...countershaft.inputs import LAID_IN
@@ -47,7 +47,7 @@ from .writing import BEARING_ROW, Rows, Section, mm, parted, up
 BEARINGS = Text("rolling bearings to begin with")
 GIVE = Text("what would help: a thicker core, a slower shaft, or bearings of your own")
 HELPS = Text(
-    "what would help: a slower engine, lighter pistons and rods, fewer hours that are asked, or bearings of another kind"
+    "what would help: a slower engine, lighter pistons and rods, fewer hours asked, or bearings of another kind"
 )
 LIFE: Second = 5000 * 3600.0
 SPREAD = 0.9  # of the lives of rollers: so many together live as much shorter
@@ -55,7 +55,8 @@ SPREAD = 0.9  # of the lives of rollers: so many together live as much shorter
 DUTY = {"rated": (1.0, 20.0), "middle": (0.7, 60.0), "low": (0.35, 20.0)}
 BALL, ROLLER, NEEDLE, CAGE, PLAIN, ROLLING = "ball", "roller", "needle", "cage", "plain", "rolling"
 AT_GEAR, ELSEWHERE = (BALL, ROLLER), (ROLLER,)  # the kinds that are looked at, one after the other
-BEGUN = {BALL: "6002", ROLLER: "NU1002", NEEDLE: "NA4902", CAGE: "K20x26x17"}  # what stands there while the loads are found
+# what stands there while the loads are found
+BEGUN = {BALL: "6002", ROLLER: "NU1002", NEEDLE: "NA4902", CAGE: "K20x26x17"}
 BORES = tuple(sorted({size.bore for size in every_size() if size.type == "ball" and size.bore >= 0.02}))  # of cores
 CASE: Metre = 0.1e-3  # the depth of a hard case is given in steps of this
 PASSES = 4  # the loads follow the size of the bearings a little
@@ -223,7 +224,7 @@ def _none(place: Place, why: Counter[Text], longest: list[Candidate]) -> NoneCar
         asked=Amount(asked / 3600, "h", digits=3),
     )
     if others := COMMA.join(rule.short or rule.name for rule in one.fails if rule is not LIFE_ASKED):
-        said = Text("{said} ({others} fails too)", said=said, others=others)
+        said = Text("{said} (beyond its limit too: {others})", said=said, others=others)
     return NoneCarries(said, (one.life or 0.0) / asked / len(one.fails))
 
 
