@@ -320,7 +320,8 @@ class WorkbenchEdits(WorkbenchMoves):
         self.call_later(self._built, session, step, plan)
 
     def _built(self, session: Session, step: str, plan: BuildPlan) -> None:
-        self.app.forget(BUILDING, BUILDING_ALL)
+        # after it is shown, however soon the build is done
+        self.app.call_later(self.app.forget, BUILDING, BUILDING_ALL)
         if session is not self.session or not self.stands:
             return
         if why := session.take(plan):

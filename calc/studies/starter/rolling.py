@@ -259,7 +259,7 @@ def _room(made: Design, seat: SeatPlace) -> Metre:
     if own is None or own.half_length is None:
         return math.inf
     position = next(row.position for row in own.bearings if row.name == seat.place)
-    return 2 * (abs(position) - own.half_length - own.fillet_radius)
+    return 2 * (abs(position) - own.half_length - (own.fillet_radius or 0.0))
 
 
 def _sizes(place: Place, kind: str, room: Metre) -> Iterator[BearingSize[float]]:
