@@ -27,6 +27,7 @@ from .widgets.signs import Signs
 # seconds after a key in which the next one may come: until then a field does not complain of what is half typed, and
 # what nobody waits for leaves the processor to the keys
 TYPING = 0.6
+STAYS = 24 * 3600.0  # seconds: what is told until it is forgotten
 
 
 class BaseApp(App[int]):
@@ -133,11 +134,14 @@ class BaseApp(App[int]):
         for notification in [n for n in self._notifications if n.message in shown]:
             self._unnotify(notification)
 
-    def tell(self, text: Text, severity: SeverityLevel = "information") -> None:
-        """Show a text for a moment; it is never read as markup."""
+    def tell(self, text: Text, severity: SeverityLevel = "information", *, stays: bool = False) -> None:
+        """Show a text for a moment, or until it is forgotten; it is never read as markup."""
         self.forget(text)  # the same text is not shown twice at a time
         for past in [
-            notification for notification in self._notifications if notification.severity == severity == "information"
+            notification
+            for notification in self._notifications
+            if notification.severity == severity == "information" and notification.timeout < STAYS
         ]:
             self._unnotify(past)  # what was done before that is no news
-        self.notify(self.say(text), severity=severity, markup=False, timeout=10 if severity == "error" else 4)
+        timeout = STAYS if stays else 10 if severity == "error" else 4
+        self.notify(self.say(text), severity=severity, markup=False, timeout=timeout)

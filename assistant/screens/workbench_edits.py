@@ -295,7 +295,7 @@ class WorkbenchEdits(WorkbenchMoves):
         if not self.session.valid:
             self.app.tell(FIRST_VALID, "warning")
             return
-        self.app.tell(BUILDING)
+        self.app.tell(BUILDING, stays=True)
         self.in_thread("build", partial(self._build, self.session, step, choice))
 
     def action_build_all(self) -> None:
@@ -305,7 +305,7 @@ class WorkbenchEdits(WorkbenchMoves):
         elif "engine" not in self.session.data:
             self.app.tell(Text("Nothing can be built without an engine."), "warning")
         else:
-            self.app.tell(BUILDING_ALL)
+            self.app.tell(BUILDING_ALL, stays=True)
             self.in_thread("build", partial(self._build, self.session, ""))
 
     def _build(self, session: Session, step: str, choice: str = "") -> None:
@@ -315,13 +315,16 @@ class WorkbenchEdits(WorkbenchMoves):
         except Exception as error:  # a mistake of the program must not take the user's work with it
             why = mistake(error)
             plan = BuildPlan({}, {}, why)
+        if get_current_worker().is_cancelled:  # another build has taken its place, whose message stays
+            return
         self.call_later(self._built, session, step, plan)
 
     def _built(self, session: Session, step: str, plan: BuildPlan) -> None:
-        self.app.forget(BUILDING, BUILDING_ALL)
+        # after it is shown, however soon the build is done
+        self.app.call_later(self.app.forget, BUILDING, BUILDING_ALL)
         if session is not self.session or not self.stands:
             return
-        if why := plan.why or session.take(plan):
+        if why := session.take(plan):
             self.app.tell(why, "warning")
             before = takewhile(lambda state: state.key != step, states_of(session))
             if (first := next((state.key for state in before if state.state == "todo"), None)) is not None:

@@ -5,7 +5,7 @@ Every edit makes a new document that is checked whole.  What can not be understo
 its field while the last valid design stays as it was.  `undo.py` keeps the states that it has been through."""
 
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -160,12 +160,14 @@ NEAR = 0.1  # of their diameter: profile shifts bring two wheels no further toge
 
 @dataclass(frozen=True)
 class BuildPlan:
-    """What was built for the tables of a design; `why`: it can not be built; `left`: why the rules came no further."""
+    """What was built for the tables of a design; `why`: it can not be built; `left`: why the rules came no further;
+    `asked`: of a step what was asked for."""
 
     of: Table = field(repr=False)
     data: Table = field(repr=False)
     why: Text = EMPTY
     left: Text = EMPTY
+    asked: Mapping[str, str] = field(default_factory=dict)
 
 
 class Editing:
@@ -175,6 +177,7 @@ class Editing:
         """`blank`: it may be no design yet, of which nothing is known then but its name.  Raises BadInput."""
         self.document: Document = parse(raw, str(origin))
         self.errors: tuple[InputError, ...] = ()
+        self.refused: dict[str, str] = {}  # of a step what was asked for, and can not be built
         self.blank = False  # it has been no design yet
         try:
             self.design: Design = design(self.document)
@@ -186,9 +189,8 @@ class Editing:
             self.errors = tuple(bad.errors)
         self.generation = 1
         self.history = History(EditState(self.document.data, {}))
-        self._valid: Table = (
-            self.document.data
-        )  # the last that were a valid design; of a blank one the first
+        # the last that were a valid design; of a blank one the first
+        self._valid: Table = self.document.data
         self.recording: Recording | None = None  # follows the edits, if it was asked for
         self.own_name = origin.stem  # of what is no longer another's
         self.decimal = "."  # sign of the user's language
@@ -405,28 +407,36 @@ class Editing:
         try:
             data = built(document, step, choice).data
         except (BadInput, NoSolution) as error:
-            return BuildPlan(document.data, document.data, text_of(error))
+            return BuildPlan(document.data, document.data, text_of(error), asked={step: choice})
         if step == "countershaft" and data == document.data:
             return BuildPlan(
                 data, data, Text("the balancing that was chosen has no shaft; the step Imbalance offers others")
             )
-        return BuildPlan(document.data, data)
+        return BuildPlan(document.data, data, asked={step: choice})
 
     def plan_all(self) -> "BuildPlan":
-        """All steps that are still to do, as far as the rules come; `why`: they do not come to the first."""
+        """All steps that are still to do, as far as the rules come; `why`: they do not come to the first.
+
+        What was asked for and refused is tried again, as another engine may have room for it: nothing else takes its
+        place unasked."""
         from calc.studies.starter.build import all_built
 
         document = self.document
-        made, why = all_built(document)
+        made, why = all_built(document, self.refused)
         none = made.data == document.data
         return BuildPlan(document.data, made.data, why if none else EMPTY, left=EMPTY if none else why)
 
     def take(self, plan: "BuildPlan") -> Text:
-        """Put in what was built, as one step of the undo.  Gives the reason why not, or nothing."""
-        if plan.of is not self.document.data:
+        """Put in what was built, as one step of the undo; what was asked for and refused is remembered.  Gives the
+        reason why not, or nothing."""
+        if not plan.why and plan.of is not self.document.data:
             return Text("The design has changed meanwhile: build it once more.")
         if not plan.why:
             self._put(plan.data)
+        for step, choice in plan.asked.items():
+            self.refused.pop(step, None)
+            if plan.why and choice:
+                self.refused[step] = choice
         return plan.why
 
     def ask(self, step: str, choice: str = "") -> Text:

@@ -94,6 +94,12 @@ BLANK = {
         ("enter", "enter", "enter", "down", "down", "enter", "ctrl+g"),
         80,
     ),
+    "four on needles, faster": (
+        "own 4",
+        ("75", "90.5", "140", "320", "430", "", "6000", "84", "95"),
+        ("enter", "enter", "enter", "down", "down", "enter", "ctrl+g"),
+        80,
+    ),
 }
 
 
@@ -129,10 +135,16 @@ async def test_an_engine_of_which_every_number_is_ones_own(name, size, tmp_path,
         )  # fmt: skip
         assert [f"{number:g}" for number in asked if number is not None] == given
         assert whole_of(session).ready and session.results.counts.limits > 40
-        assert not [check for check in session.results.checks() if check.verdict in ("fail", "not_verified")]
+        # of a heavier shaft it is not known how hard the wheels of its train strike, which is a caution
+        kinds = ("limit",) if "faster" in name else ("limit", "caution")
+        checks = [check for check in session.results.checks() if check.kind in kinds or check.verdict == "fail"]
+        assert not [check for check in checks if check.verdict in ("fail", "not_verified")]
         needles = [row.size for row in session.design.rows if row.kind == "rolling"]
         if "needles" in name:
-            assert len(session.design.shafts) == 2 and len(needles) == 2 and all("NA" in size for size in needles)
+            # where no ring lives long enough, wider cages on the hardened shaft
+            form = "K" if "faster" in name else "NA"
+            assert len(session.design.shafts) == 2 and len(needles) == 2
+            assert all(size.startswith(form) for size in needles)
         print(name, size, hands.keys)
 
 

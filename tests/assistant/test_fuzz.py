@@ -123,6 +123,10 @@ async def fuzz(path: Path, memory: Memory, seed: int, count: int) -> None:
                 if not isinstance(app.screen, Workbench) and chance.random() < 0.3:
                     done.append("escape")
                     await strike(pilot, "escape")
+            def builds() -> bool:
+                return any(worker.group == "build" and worker.is_running for worker in app.workers)
+
+            await until(pilot, lambda: not builds(), 120.0)
             for _ in range(20):  # what the last keys open may come late
                 await pilot.pause(0.02)
                 if not isinstance(app.screen, Workbench):

@@ -99,6 +99,12 @@ def every_size() -> tuple[BearingSize, ...]:
     return tuple(size_of(name) for name in _names())
 
 
+@cache
+def listed_cages() -> tuple[BearingSize, ...]:
+    """Needle cages that a maker lists."""
+    return tuple(size_of(f"K{name}") for name in _table()["cages"]["sizes"])
+
+
 def own_size(elements: Elements, bore: Metre, outside: Metre, width: Metre) -> BearingSize:
     """A bearing of one's own with both rings: its outline, of which nothing is usual."""
     return BearingSize("own", elements, "own", bore, outside, width, _usual(f"own_{elements}"))

@@ -108,6 +108,9 @@ TABLES = (dotted(Design.shafts), *SHAFT_STEPS[1:])
 ROWS, NAME = dotted(ShaftInputs.bearings), dotted(BearingRow.name)
 SHAFTS = dotted(Design.shafts)
 KINDS = (rolling.ROLLING, rolling.NEEDLE)  # of which all bearings may be asked for
+# needles have rings, or, where none with rings live long enough, roll on the shaft itself, wider and on less
+TRIED = {rolling.NEEDLE: (rolling.NEEDLE, rolling.CAGE)}
+NO_CHOICE: Mapping[str, str] = {}
 KEPT = {
     "none": 0.0,
     "half": 0.5,
@@ -151,13 +154,15 @@ def to_build(data: Table) -> list[str]:
     return [s.key for s in STEPS if not (s.optional or asks(data, s.key) or s.key in without or s.key == "engine")]
 
 
-def all_built(document: Document) -> tuple[Document, Text]:
-    """With all that is still to do, step by step; as far as the rules come, and why they come no further."""
+def all_built(document: Document, choices: Mapping[str, str] = NO_CHOICE) -> tuple[Document, Text]:
+    """With all that is still to do, step by step; as far as the rules come, and why they come no further.
+
+    `choices`: of a step what was asked for, as `built` takes it; nothing else is built instead."""
     while steps := to_build(document.data):
         # the balancing builds crank and shaft in one
         step = "countershaft" if steps[:2] == ["imbalance", "countershaft"] else steps[0]
         try:
-            document = built(document, step)
+            document = built(document, step, choices.get(step, ""))
         except (BadInput, NoSolution) as error:
             return document, text_of(error)
         if to_build(document.data) == steps:  # the balancing that was chosen has no shaft
@@ -323,22 +328,37 @@ def _holds(document: Document) -> bool:
 
 def _bearings(document: Document, kind: str) -> Document:
     """With bearings of one kind; shafts that are still as the rules have them for plain ones are made for it.  Raises
-    NoSolution where none of it carry."""
-    alone = _for_kind(_put(document, {"gears": None, "friction": None}), kind)
-    found = bearings.on_rolling(bearings.Unborne(alone, _results(alone), []), (kind, kind)).document
-    same = alone.data.get(SHAFTS) == document.data.get(SHAFTS)
-    return _put(found, _train_of(document) if same else {}, (dotted(Design.bearings),))
+    NoSolution where none of it carry, with what the nearest comes to."""
+    alone = _put(document, {"gears": None, "friction": None})
+    made_for = _ruled(alone)
+    none: NoSolution | None = None
+    for form in TRIED.get(kind, (kind,)):
+        try:
+            on_it = made_for(form) if made_for is not None else alone
+            found = bearings.on_rolling(bearings.Unborne(on_it, _results(on_it), []), (form, form)).document
+        except NoSolution as error:
+            none = error if none is None or _nearest(error) > _nearest(none) else none
+            continue
+        same = on_it.data.get(SHAFTS) == document.data.get(SHAFTS)
+        return _put(found, _train_of(document) if same else {}, (dotted(Design.bearings),))
+    assert none is not None
+    raise none
 
 
-def _for_kind(document: Document, kind: str) -> Document:
+def _nearest(none: NoSolution) -> float:
+    return none.nearest if isinstance(none, rolling.NoneCarries) else 0.0
+
+
+def _ruled(document: Document) -> Callable[[str], Document] | None:
+    """The document with its shafts made for bearings of a kind, where they are still as the rules have them."""
     if (balancing := choice_made(document)) not in ("second", "repeat", "pair", "pair_and_second"):
-        return document
+        return None
     bare = _put(document, dict.fromkeys(TABLES))
     known = which.with_imbalance(bare)
     arranged = _arranged(balancing, known)
     if _with(bare, several.shafts(bare, known, arranged)).data[SHAFTS] != document.data[SHAFTS]:
-        return document
-    return _with(bare, several.shafts(bare, known, arranged, (kind, kind)))
+        return None
+    return lambda kind: _with(bare, several.shafts(bare, known, arranged, (kind, kind)))
 
 
 def _bearings_by_rule(document: Document) -> Document:

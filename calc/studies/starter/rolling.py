@@ -4,7 +4,8 @@ the clearance class, the fits and the seat in which it neither jams nor creeps.
 
 At the gear stands a ball bearing, which takes the thrust, or where none lives long enough a roller bearing with
 flanges; elsewhere roller bearings, which leave the shaft its length.  Their bores are no larger than the core, which
-is their shoulder."""
+is their shoulder.  Needles have rings, or roll on the shaft itself in a cage: where the shaft is laid in, in one of two
+halves, which passes nothing."""
 
 import math
 from collections import Counter
@@ -15,10 +16,13 @@ from itertools import repeat
 from ...bearings.inputs import BearingsInputs
 from ...bearings.result import BearingsResult
 from ...bearings.rolling.bearing import judged
-from ...bearings.rolling.checks import SYSTEM_LIFE
-from ...bearings.rolling.search import SMALL, Candidate, Place, as_rolling, candidates, fitted
-from ...bearings.rolling.sizes import BearingSize, every_size
+from ...bearings.rolling.checks import LIFE as LIFE_ASKED
+from ...bearings.rolling.checks import SYSTEM_LIFE, life_asked
+from ...bearings.rolling.raceway import LEAST_CASE, case_depth_needed
+from ...bearings.rolling.search import HELD, SMALL, Candidate, Place, as_rolling, candidates, fitted
+from ...bearings.rolling.sizes import BearingSize, every_size, listed_cages, size_of
 from ...bearings.rolling.solve import case_of
+from ...countershaft.inputs import LAID_IN
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow, called
 from ...design.addresses import Table
@@ -31,25 +35,30 @@ from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, keys
 from ...sheet.record import record
-from ...sheet.text import COMMA, Text
-from ...sheet.units import Metre, Second
+from ...sheet.text import COMMA, Amount, Text
+from ...sheet.units import Metre, Number, Second
 from ...sheet.value import recorded
 from ...solve import Results, solve
 from .journals import OILS, oil_of, with_bearings
 from .journals import shared as shared_of_plain
 from .shaft import NAME
-from .writing import BEARING_ROW, Rows, Section, parted
+from .writing import BEARING_ROW, Rows, Section, mm, parted, up
 
 BEARINGS = Text("rolling bearings to begin with")
-GIVE = Text("a thicker core, a slower shaft, or bearings of your own: give [[shafts.bearings]]")
+GIVE = Text("what would help: a thicker core, a slower shaft, or bearings of your own")
+HELPS = Text(
+    "what would help: a slower engine, lighter pistons and rods, fewer hours asked, or bearings of another kind"
+)
 LIFE: Second = 5000 * 3600.0
 SPREAD = 0.9  # of the lives of rollers: so many together live as much shorter
 # share of the rated speed, and of the hours
 DUTY = {"rated": (1.0, 20.0), "middle": (0.7, 60.0), "low": (0.35, 20.0)}
-BALL, ROLLER, NEEDLE, PLAIN, ROLLING = "ball", "roller", "needle", "plain", "rolling"
+BALL, ROLLER, NEEDLE, CAGE, PLAIN, ROLLING = "ball", "roller", "needle", "cage", "plain", "rolling"
 AT_GEAR, ELSEWHERE = (BALL, ROLLER), (ROLLER,)  # the kinds that are looked at, one after the other
-BEGUN = {BALL: "6002", ROLLER: "NU1002", NEEDLE: "NA4902"}  # what stands there while the loads are found
+# what stands there while the loads are found
+BEGUN = {BALL: "6002", ROLLER: "NU1002", NEEDLE: "NA4902", CAGE: "K20x26x17"}
 BORES = tuple(sorted({size.bore for size in every_size() if size.type == "ball" and size.bore >= 0.02}))  # of cores
+CASE: Metre = 0.1e-3  # the depth of a hard case is given in steps of this
 PASSES = 4  # the loads follow the size of the bearings a little
 OPEN = ("limit", "caution")
 OPERATION = dotted(Design.engine, EngineInputs.operation)
@@ -123,6 +132,14 @@ def best(
     raise NoSolution(BEARINGS, COMMA.join(check.name for check in open_[:2]), GIVE)
 
 
+class NoneCarries(NoSolution):
+    """No bearing passes in a place.  `nearest`: of the life that is asked, what the one comes to that lives longest."""
+
+    def __init__(self, tried: Text, nearest: Number) -> None:
+        self.nearest = nearest
+        super().__init__(BEARINGS, tried, HELPS)
+
+
 @record
 class SeatPlace:
     """One place of a shaft, by both names, and the kinds of bearing that are looked at there, one after the other."""
@@ -149,7 +166,8 @@ def _seats(made: Design, kinds: tuple[str, ...]) -> list[SeatPlace]:
 
 def as_begun(seat: SeatPlace) -> BearingRow:
     """A small one, while the loads are found."""
-    return BearingRow(name=seat.place, kind="rolling", size=BEGUN[seat.kinds[0]])
+    held = HELD if seat.kinds == (CAGE,) else "fit"
+    return BearingRow(name=seat.place, kind="rolling", size=BEGUN[seat.kinds[0]], outer_ring_held=held)
 
 
 def _chosen(
@@ -160,18 +178,21 @@ def _chosen(
 
     `together`: so many live as long as is asked; `failed`: what the whole design did not pass with."""
     there = rolling_places(solved.design, solved, seat.shaft)[seat.place]
-    bare = replace(there.row, kind=PLAIN)  # of which nothing stays that belongs to another size
+    # of which nothing stays that belongs to another size
+    bare = replace(there.row, kind=PLAIN, split_cage=_is_split(solved.design, seat))
     place = replace(there, row=bare, locates=seat.locates, bores=_bores(solved.design, seat))
     found: tuple[int, BearingRow] | None = None
-    why, passing = Counter[Text](), list[Candidate]()
+    why, passing, longest = Counter[Text](), list[Candidate](), list[Candidate]()
     for kind in seat.kinds:
-        for one in candidates(place, _sizes(place, kind)):
+        for one in candidates(place, _sizes(place, kind, _room(solved.design, seat))):
             if one.fails:
                 why[one.fails[0].short or one.fails[0].name] += 1
+                if LIFE_ASKED in one.fails:
+                    longest.append(one)
             elif (seat, one.size.designation) not in failed:
                 passing.append(one)
     for one in sorted(passing, key=lambda one: bool(one.risks)):
-        row = fitted(place, as_rolling(place, one.size.designation), one.temperature)
+        row = fitted(place, _row(place, one.size.designation), one.temperature)
         if row is None:
             why[SITS] += 1
             continue
@@ -183,9 +204,43 @@ def _chosen(
         if not any(check.kind == "limit" for check in open_) and (found is None or len(open_) < found[0]):
             found = len(open_), row
     if found is None:
-        most = COMMA.join(text for text, _ in why.most_common(2))
-        raise NoSolution(BEARINGS, Text("{place}: {why}", place=called(seat.place), why=most), GIVE)
+        raise _none(place, why, longest)
     return found
+
+
+def _none(place: Place, why: Counter[Text], longest: list[Candidate]) -> NoneCarries:
+    """In words; `why`: what stands against how many; `longest`: those that live too short, some of which break other
+    limits as well."""
+    most = COMMA.join(text for text, _ in why.most_common(2))
+    if not longest:
+        return NoneCarries(Text("{place}: {why}", place=called(place.row.name), why=most), 0.0)
+    one = max(longest, key=lambda one: (-len(one.fails), one.life or 0.0))
+    asked = life_asked(place.inputs, place.task.life)
+    said = Text(
+        "{place}: of those that fit {size} comes nearest, and lives {life} of the {asked} that are asked",
+        place=called(place.row.name),
+        size=one.size.designation,
+        life=Amount((one.life or 0.0) / 3600, "h", digits=3),
+        asked=Amount(asked / 3600, "h", digits=3),
+    )
+    if others := COMMA.join(rule.short or rule.name for rule in one.fails if rule is not LIFE_ASKED):
+        said = Text("{said} (beyond its limit too: {others})", said=said, others=others)
+    return NoneCarries(said, (one.life or 0.0) / asked / len(one.fails))
+
+
+def _row(place: Place, size: str) -> BearingRow:
+    """As a bearing of this size stands there; of a cage with the shaft and the housing hard enough to be raceways."""
+    row = as_rolling(place, size)
+    if size_of(size).type != CAGE:
+        return row
+    row = replace(row, outer_ring_held=HELD, split_cage=place.row.split_cage)
+    assert row.inside is not None
+    return replace(row, case_depth=max(LEAST_CASE, up(case_depth_needed(D_w=row.inside.diameter), CASE)))
+
+
+def _is_split(made: Design, seat: SeatPlace) -> bool:
+    own = made.views[seat.shaft].own
+    return seat.kinds == (CAGE,) and own is not None and own.assembly in LAID_IN
 
 
 def _bores(made: Design, seat: SeatPlace) -> tuple[Metre, Metre]:
@@ -194,15 +249,30 @@ def _bores(made: Design, seat: SeatPlace) -> tuple[Metre, Metre]:
     own = made.views[seat.shaft].own
     if own is None or own.core_radius is None:
         return 0.0, math.inf
-    passed = own.gear_z is not None and seat.first
+    passed = own.gear_z is not None and seat.first and not _is_split(made, seat)
     return (2 * own.core_radius if passed else 0.0), 2 * own.core_radius
 
 
-def _sizes(place: Place, kind: str) -> Iterator[BearingSize[float]]:
+def _room(made: Design, seat: SeatPlace) -> Metre:
+    """How wide a bearing may be that stands as far from the sectors as a fillet is high."""
+    own = made.views[seat.shaft].own
+    if own is None or own.half_length is None:
+        return math.inf
+    position = next(row.position for row in own.bearings if row.name == seat.place)
+    return 2 * (abs(position) - own.half_length - (own.fillet_radius or 0.0))
+
+
+def _sizes(place: Place, kind: str, room: Metre) -> Iterator[BearingSize[float]]:
+    if kind == CAGE:
+        yield from (size for size in listed_cages() if _bears(place, size) and size.width <= room + SMALL)
     for size in every_size():
-        if place.bores[0] <= size.bore + SMALL and size.bore <= place.bores[1] + SMALL and size.type == kind:
+        if _bears(place, size) and size.type == kind:
             if size.inner_ring and (kind != ROLLER or size.flanged == place.locates):
                 yield size
+
+
+def _bears(place: Place, size: BearingSize[float]) -> bool:
+    return place.bores[0] <= size.bore + SMALL and size.bore <= place.bores[1] + SMALL
 
 
 def _findings(place: Place, row: BearingRow, together: int) -> list[Check]:
@@ -272,11 +342,16 @@ def written_row(row: BearingRow) -> Rows:
         BearingRow.kind: ("rolling", ""),
         BearingRow.size: (row.size, LEAST_LOSS),
         BearingRow.locates: (row.locates, "takes the thrust of the gear"),
+        BearingRow.split_cage: (row.split_cage, "in two halves: it has to pass nothing"),
         BearingRow.cage: (row.cage, "assumed: polyamide would get too hot"),
         BearingRow.clearance_class: (row.clearance_class, held),
         BearingRow.shaft_fit: (row.shaft_fit, held),
         BearingRow.seat_fit: (row.seat_fit, held),
-        BearingRow.outer_ring_held: (row.outer_ring_held, "assumed: a sleeve of steel cast in, which grips when hot"),
+        BearingRow.outer_ring_held: (
+            row.outer_ring_held,
+            "assumed: a sleeve of steel cast in, " + ("hardened" if row.case_depth else "which grips when hot"),
+        ),
+        BearingRow.case_depth: (None if row.case_depth is None else mm(row.case_depth), "assumed: of the shaft"),
     }
     usual = {dotted(key): entry.field.default for key, entry in keys(BearingRow).items()}
     return {key: entry for key, entry in said.items() if key is BearingRow.kind or entry[0] != usual[dotted(key)]}

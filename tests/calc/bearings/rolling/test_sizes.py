@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from calc.bearings.rolling.geometry import alike, inside_of, mass_of, mean_diameter, overlap, stacked
-from calc.bearings.rolling.sizes import UnknownSize, every_size, own_size, size_of
+from calc.bearings.rolling.ratings import computed
+from calc.bearings.rolling.sizes import UnknownSize, every_size, listed_cages, own_size, size_of
 from calc.library.table_file import house_table
 
 MM = 1e-3
@@ -99,9 +100,26 @@ def test_the_grid_of_a_search_has_every_series_once():
         assert size_of(size.designation).outside == size.outside
 
 
+def test_cages_that_are_listed_come_near_the_ratings_that_their_maker_prints():
+    """C of IKO's tables of KT, kN."""
+    printed = {"K20x28x20": 21.5, "K25x30x20": 18.6, "K25x35x30": 39.1, "K28x33x27": 26.3, "K30x35x27": 27.9}
+    printed |= {"K30x38x24": 33.2, "K35x42x30": 40.6, "K40x48x34": 51.1}
+    known = {size.designation: size for size in listed_cages()}
+    assert len(known) == len(listed_cages()) and not {*known} & {size.designation for size in every_size()}
+    for name, C in printed.items():
+        size = known[name]
+        assert computed(inside_of(size), size.usual.rating, 700.0).dynamic == pytest.approx(C * 1e3, rel=0.11), name
+
+
 def test_every_row_of_the_table_says_where_it_is_from_and_how_sure():
     table = house_table("rolling_bearings.toml")
-    rows = [*table["outline"].values(), table["cups"], *table["inside"].values(), *table["thrust"].values()]
+    rows = [
+        *table["outline"].values(),
+        table["cups"],
+        table["cages"],
+        *table["inside"].values(),
+        *table["thrust"].values(),
+    ]
     rows += [table["contamination"], table["filtered"], table["reliability"]]
     assert all(row["source"] and row["confidence"] in ("high", "medium", "low") for row in rows)
     codes = len(table["bore_codes"])
