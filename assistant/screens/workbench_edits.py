@@ -56,7 +56,7 @@ class WorkbenchEdits(WorkbenchMoves):
     def rebuilt(self) -> None:
         """Show a design that has changed in more than one place."""
         if (field := self.form.field) is not None:
-            field.rewrite()
+            field.renew()
         self.edited()
         self.form.rebuild(self.form.here())
 
@@ -152,8 +152,8 @@ class WorkbenchEdits(WorkbenchMoves):
             self.app.tell(Text("{done}: {changes}", done=done, changes=what.words))
         place = what.place or where
         field: Field | None = self.form.field
-        if field is not None and field.place == place:
-            field.rewrite()
+        if field is not None:
+            field.renew()
         self.edited()
         step = next((step for step in STEPS if step.key == what.step), None)
         if what.check and step is not None:
@@ -162,7 +162,7 @@ class WorkbenchEdits(WorkbenchMoves):
             await self.to_field(place)
             there = self.form.field
             if there is not None:
-                there.rewrite()
+                there.renew()
             if by_letter:  # the next letter shall be a key as well; Enter goes into the field
                 self.form.last = place
                 self.set_focus(self.form, scroll_visible=False)
