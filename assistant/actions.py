@@ -145,7 +145,7 @@ ACTIONS: tuple[Action, ...] = (
            Text("Puts the balance shaft before in view."), call=("turn_shaft", -1), first=True),
     Action("undo", "ctrl+z", "u", Text("Undo"), Text("Undo"),
            Text("Takes back the last edit of the design; the edits of one field in a row are one.")),
-    Action("redo", "ctrl+y", "r", EMPTY, Text("Redo"), Text("Makes the edit again that was taken back.")),
+    Action("redo", "ctrl+y", "r", Text("Redo"), Text("Redo"), Text("Makes the edit again that was taken back.")),
     Action("save", "ctrl+s", "w", Text("Save"), Text("Save"),
            Text("Saves the design; the file as it was stays as .bak. The example is saved under its name in the "
                 "current folder.")),

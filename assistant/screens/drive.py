@@ -16,6 +16,7 @@ from textual.widget import Widget
 from textual.widgets import Static
 
 from calc.countershaft.result import CountershaftResult
+from calc.design.names import asked as input_asked
 from calc.sheet.errors import NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.remedy import Changes
@@ -25,6 +26,7 @@ from calc.studies.drive.classes import NotClosed
 from calc.studies.drive.evolve import EVALUATIONS, evolved
 from calc.studies.drive.output import UNIT, label, said, stood, table
 from calc.studies.drive.refusal import refusal
+from calc.studies.drive.refusal import said as broken_words
 from calc.studies.drive.search import FrontTable as Known
 from calc.studies.drive.search import asked, search
 from calc.studies.drive.solved_drive import mass, power
@@ -226,12 +228,13 @@ class Driving(Choosing):
 
     def _nothing(self, front: "FrontFound", progress: Progress) -> Text:
         """What alone would have to give way."""
-        why = refusal(front, progress)
+        why, document, results = refusal(front, progress), self.session.document, self.session.results
         if why.always:
-            return Text("every drive that was solved whole breaks {ids}", ids=", ".join(why.always))
+            broken = broken_words(why.always, document, results.checks() if results is not None else ())
+            return Text("every drive that was solved whole breaks {checks}", checks=broken)
         if why.lines:
             ways = SEMICOLON.join(
-                [Text("{key} {change}", key=Name(line.key), change=line.change) for line in why.lines]
+                [Text("{key} {change}", key=input_asked(document, line.key), change=line.change) for line in why.lines]
             )
             return Text("nothing passes; one of these alone would have to give way: {ways}", ways=ways)
         return Text("nothing passes")

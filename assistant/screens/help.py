@@ -29,8 +29,8 @@ from .workbench_panes import WorkbenchPanes
 
 SCREEN = (
     Text(
-        "Six steps lead from the engine to the friction of the train. Each has inputs, and from them checks, its "
-        "calculation, and curves."
+        "Seven steps lead from the engine to the friction of the train and, where it is wanted, to what the engine "
+        "stands on. Each has inputs, and from them checks, its calculation, and curves."
     ),
     Text(
         "Everything is solved again while you type. Any step can be opened at any time; one that lacks numbers says "

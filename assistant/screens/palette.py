@@ -40,7 +40,7 @@ from .workbench import Workbench
 
 Does = Callable[[], Awaitable[object] | object]
 HIDDEN = {"palette", "up", "down", "go_on", "leave", "close", "more", "less"}  # of no use from a list
-HIDDEN |= {action.id for action in ACTIONS if action.id.startswith("read")}
+HIDDEN |= {action.id for action in ACTIONS if action.id.partition("_")[0] == "read"}
 ACTION, FIELD, PLACE, OTHER = 1.0, 0.9, 0.8, 0.7  # what counts more where words find both
 FOLDED = 0.8  # of a field that lies in a fold: what decides is found before it
 

@@ -143,7 +143,7 @@ def table(ways: tuple[RepairOption, ...], say: Language) -> str:
         ]
     )
     for way in ways:
-        numbers = [*(way.power or ("", "")), *(way.mass or ("", "")), "" if way.cold is None else way.cold]
+        numbers = [*(way.power or ("", "")), *(way.mass or ("", "")), "" if way.cold is None else way.cold[1]]
         verdicts = {key: now for key, _, now in way.verdicts}
         rows.writerow(
             [

@@ -39,7 +39,7 @@ from .path_dialogs import OpenDialog, begin_with
 ABOUT_BEGINNING = {
     "open": Text("A design file, from any folder. Unsaved edits of it that were kept are put back."),
     "example": Text(
-        "The counter-shaft of a three-cylinder diesel as it was published, in all six steps. Look at what fails, and "
+        "The counter-shaft of a three-cylinder diesel as it was published, from the engine to the friction. Look at what fails, and "
         "why. Nothing is "
         "written before you save, and then under a name of its own."
     ),
@@ -366,7 +366,10 @@ class Start(Screen[None]):
             beside = pad(f"  {say(detail.shakes)}", SHAKES) + beside
         if SIZE + BALANCING <= left:
             beside = f"{say(row.size):>{SIZE}}" + beside
-        about = pad(say(row.about), room - len(beside))
+        about = say(row.about)
+        if row.kind == "own":  # what tells it from others of its title comes first
+            about = about.removeprefix(say(row.title).partition(" ")[2]).lstrip(", ")
+        about = pad(about, room - len(beside))
         return Content.assemble(mark, pad(say(row.title), TITLE), (f" {about}{beside}", "dim"))
 
     def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:

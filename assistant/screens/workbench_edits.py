@@ -12,10 +12,12 @@ from textual.geometry import Region
 from textual.notifications import SeverityLevel
 from textual.worker import get_current_worker
 
+from calc.bearings.rolling.row import RollingRow
 from calc.design.addresses import address, as_table, asks
 from calc.design.model import MOST_SHAFTS, STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import BadInput, Cancelled
+from calc.sheet.quantity import dotted
 from calc.sheet.remedy import assignment
 from calc.sheet.text import COMMA, EMPTY, Name, Text
 from calc.sheet.verdict import grouped
@@ -45,6 +47,8 @@ if TYPE_CHECKING:
 BUILDING = Text("It is being built by the rules …")
 BUILDING_ALL = Text("All that is left is being built by the rules: up to half a minute …")
 FIRST_VALID = Text("First the input has to be valid.")
+GIVE_SIZE = Text("Give a size first, for instance 6205; {key} lists sizes once one is there.")
+SIZE: Place = (dotted(RollingRow.size),)
 ASK_UPGRADE = Text(
     "The file is written in schema 1, which has no words for what was changed.\n"
     "Save it in schema 2? Its comments stay, and the old file is kept as .bak."
@@ -56,7 +60,7 @@ class WorkbenchEdits(WorkbenchMoves):
     def rebuilt(self) -> None:
         """Show a design that has changed in more than one place."""
         if (field := self.form.field) is not None:
-            field.rewrite()
+            field.renew()
         self.edited()
         self.form.rebuild(self.form.here())
 
@@ -152,8 +156,8 @@ class WorkbenchEdits(WorkbenchMoves):
             self.app.tell(Text("{done}: {changes}", done=done, changes=what.words))
         place = what.place or where
         field: Field | None = self.form.field
-        if field is not None and field.place == place:
-            field.rewrite()
+        if field is not None:
+            field.renew()
         self.edited()
         step = next((step for step in STEPS if step.key == what.step), None)
         if what.check and step is not None:
@@ -162,7 +166,7 @@ class WorkbenchEdits(WorkbenchMoves):
             await self.to_field(place)
             there = self.form.field
             if there is not None:
-                there.rewrite()
+                there.renew()
             if by_letter:  # the next letter shall be a key as well; Enter goes into the field
                 self.form.last = place
                 self.set_focus(self.form, scroll_visible=False)
@@ -233,7 +237,9 @@ class WorkbenchEdits(WorkbenchMoves):
             self.app.tell(why)
             return
         if not self.session.valid:
-            self.app.tell(FIRST_VALID, "warning")
+            sizeless = any(place[-1:] == SIZE and not self.session.text(place) for place in self.session.reasons())
+            key = self.app.shown_key("choose")
+            self.app.tell(Text(GIVE_SIZE.template, key=key) if sizeless else FIRST_VALID, "warning")
             return
         from .selection import Choosing
 

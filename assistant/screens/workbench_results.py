@@ -605,6 +605,7 @@ class WorkbenchResults(WorkbenchPanes):
             "fix": sound,
             "choose": bool(no_choice(self.step.key, self.session.data)),
             "undo": not self.session.history.begun,
+            "redo": not self.session.history.undone,
             "save": not self.session.dirty,
         }
         self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing), leafs=self.leafs)

@@ -52,6 +52,11 @@ class History:
         """Whether there is anything to undo."""
         return bool(self._undo)
 
+    @property
+    def undone(self) -> bool:
+        """Whether there is anything to do again."""
+        return bool(self._redo)
+
     def past(self) -> Iterator[tuple[Table, Table]]:
         """The edits that can be taken back, the last first: the tables before and after each.  Nothing is taken back by
         this."""

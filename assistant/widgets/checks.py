@@ -414,7 +414,7 @@ class Checks(ItemList):
             tell(advice)
         if check.open and check.remedies:
             ways = Name("; ").join(remedy.words for remedy in check.remedies)
-            tell(say(Text("{key}: {ways}", key=self.app.shown_key("fix"), ways=ways)))
+            tell(say(Text("for this check alone: {ways}", ways=ways)))
         if check.open and check.kind == "caution":
             tell(say(Text("{key} accepts it, with a reason.", key=self.app.shown_key("accept"))))
         if check.moved_by:

@@ -195,6 +195,15 @@ class Field(Widget):
         self.enter(self.was)
         self.redraw()
 
+    def renew(self) -> None:
+        """The design was changed elsewhere, by an undo or a remedy: Esc takes back to what it says now."""
+        self.was = self.text
+        if isinstance(self.box, Entry):
+            self.box.arrive(self.was)
+        else:
+            self.box.show(self.was)
+        self.redraw()
+
     @property
     def stray(self) -> bool:
         """Whether a lone digit stands in place of a longer number: who struck it may have meant a step."""

@@ -187,9 +187,9 @@ class MessageLine(Widget):
         for count in range(len(parts), 0, -1):
             words = COMMA.join([Name(part) for part in parts[:count]])
             if more := len(parts) - count:
-                words = Text("{changes}, and {n} more", changes=words, n=more)
+                words = Text("{changes}, and {n} more for the whole step", changes=words, n=more)
             if whole:
-                yield Text("{changes} → {state}", changes=words, state=remedy.said)
+                yield Text("{changes} → step {state}", changes=words, state=remedy.said)
             yield words
 
     def render(self) -> Content:
@@ -320,6 +320,7 @@ SPARED = ("pane", "back", "quit", "variant", "curve", "choose", "trouble")
 ALWAYS = 3  # of these, on a wide screen, where panes and steps stand in sight
 SPARED_NARROW = (
     "variant",
+    "redo",
     "choose",
     "pane",
     "quit",

@@ -21,7 +21,8 @@ from ..gears.result import MeshResult
 from ..imbalance.orders import Order
 from ..imbalance.result import ImbalanceResult
 from ..imbalance.webs import WebsResult
-from ..mounting.result import PointLevel
+from ..mounting.inputs import MountingInputs
+from ..mounting.result import Mode, PointLevel
 from ..mounting.wrenches import running
 from ..sheet.check import Check
 from ..sheet.quantity import Published, dotted
@@ -200,8 +201,19 @@ def _friction(results: Results) -> Text | None:
 
 
 def _mounting(results: Results) -> Text | None:
-    """What the foremost seat has at the first operation, half on the crank and with the shaft."""
-    if (mounting := results.design.mounting) is None or mounting.seat is None:
+    """What the foremost seat has at the first operation, half on the crank and with the shaft; where nobody sits, from
+    the slowest mode to the fastest."""
+    mounting, modes = results.design.mounting, results.values_of(Mode.frequency)
+    if mounting is not None and (felt := _felt(mounting, results)) is not None:
+        return felt
+    if not modes:
+        return None
+    low, high = (which(v.shown for v in modes) for which in (min, max))
+    return Text("modes {low} … {high}", low=Amount(low, digits=2), high=Amount(high, modes[0].unit, digits=2))
+
+
+def _felt(mounting: MountingInputs, results: Results) -> Text | None:
+    if mounting.seat is None:
         return None
     rows = running(mounting, results.design.engine) if results.design.engine is not None else ()
     first = rows[0].name if rows else "idle"
@@ -213,7 +225,9 @@ def _mounting(results: Results) -> Text | None:
         return None
     if shaft is None:
         return Text("seat {half}", half=Amount(half.shown, half.unit, digits=2))
-    return Text("seat {half} → {shaft}", half=Amount(half.shown, digits=2), shaft=Amount(shaft.shown, digits=2))
+    return Text(
+        "seat {half} → {shaft}", half=Amount(half.shown, digits=2), shaft=Amount(shaft.shown, shaft.unit, digits=2)
+    )
 
 
 GIVES: Mapping[str, Callable[[Results], Text | None]] = {

@@ -106,6 +106,9 @@ async def test_the_footer_fits(screen: Screen, size: tuple[int, int], shown: str
             pilot, "1"
         )  # into a field, the name of the design: now there is something to take back, and to keep
         assert "^z Undo ^s Save" in " ".join(footer.render().plain.split()) or size[0] == 80
+        await strike(pilot, "ctrl+z")
+        await until(pilot, lambda: ("^y Redo" in footer.render().plain) == (size[0] > 80))
+        assert footer.render().cell_length <= size[0]
 
 
 @pytest.mark.slow

@@ -90,6 +90,17 @@ async def test_a_table_that_is_missing_leads_to_where_it_is_given(screen: Screen
         await until(pilot, lambda: "add" in "".join(screen_rows(pilot)) and work(pilot).step.key == "imbalance")
 
 
+async def test_a_rolling_bearing_without_a_size_asks_for_one(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        session.edit(session.place("bearings.front.kind"), "rolling")
+        await strike(pilot, "escape", "4", "t")
+        await until(pilot, lambda: "Give a size first, for instance 6205; ^t lists sizes" in told(pilot))
+        session.edit(session.place("engine.bore_mm"), "x")
+        session.edit(session.place("bearings.front.size"), "6205")
+        await strike(pilot, "ctrl+t")
+        await until(pilot, lambda: "First the input has to be valid." in told(pilot))
+
+
 def test_the_table_is_headed_by_the_remedy_that_f5_has(light: Session) -> None:
     """The same change, in the same words; what is locked of the step is said."""
     light.edit(MASS, "2")

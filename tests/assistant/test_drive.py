@@ -101,7 +101,8 @@ async def test_what_stops_every_drive_is_said(screen: Screen, few: Session) -> N
         shown = await found(pilot)
         assert shown.front is None
         words = str(shown.query_one("#choosing-state").content)  # type: ignore[attr-defined]
-        assert "every drive that was solved whole breaks" in words and "gears.crank_central.backlash" in words
+        assert "every drive that was solved whole breaks" in words and "backlash crank–central" in words
+        assert "gears." not in words
 
 
 def test_enter_ends_the_classes_and_then_the_solving(few: Session) -> None:

@@ -14,6 +14,7 @@ from assistant.widgets.field import Field
 from assistant.widgets.headings import ArrayHeading
 from calc.design.addresses import address, asks, quantities, step_at
 from calc.design.model import STEPS
+from calc.sheet.text import Text
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, message, rows, settled, strike, told, type_in, until, work
 
@@ -139,6 +140,27 @@ async def test_undo_and_redo_from_another_step(screen: Screen) -> None:
         await strike(pilot, "ctrl+y")
         await pilot.pause()
         assert screen_.session.value("engine.bore_mm") == 95.5
+
+
+async def test_esc_takes_back_to_what_an_undo_has_left(screen: Screen) -> None:
+    """And not to what stood there before it, which would write an undone value into the design once more."""
+    key = "countershaft.masses.rear.mass_kg"
+    async with screen() as pilot:
+        box, session = await go_to(pilot, key), work(pilot).session
+        first = session.value(key)
+        await type_in(pilot, "1.5")
+        await strike(pilot, "tab", "shift+tab")
+        for travel, there in (("ctrl+z", first), ("ctrl+y", 1.5), ("ctrl+z", first)):
+            await strike(pilot, travel)
+            assert session.value(key) == there
+        await strike(pilot, "x", "escape")
+        await settled(pilot)
+        assert isinstance(box, Entry) and box.value == session.text(session.place(key))
+        assert session.value(key) == first and session.valid
+        work(pilot).apply([f"{key}=1.7"], Text("taken"))  # as a remedy or a row of a table is
+        await strike(pilot, "x", "escape")
+        await settled(pilot)
+        assert session.value(key) == 1.7
 
 
 @pytest.mark.slow

@@ -123,6 +123,7 @@ async def fuzz(path: Path, memory: Memory, seed: int, count: int) -> None:
                 if not isinstance(app.screen, Workbench) and chance.random() < 0.3:
                     done.append("escape")
                     await strike(pilot, "escape")
+
             def builds() -> bool:
                 return any(worker.group == "build" and worker.is_running for worker in app.workers)
 

@@ -4,10 +4,12 @@
 import pytest
 from textual.pilot import Pilot
 
-from assistant.screens.palette import Palette
+from assistant.actions import ACTIONS
+from assistant.screens.palette import ACTION, HIDDEN, Palette, entries
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
 from assistant.widgets.text import folded, match
+from calc.design.model import STEPS
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import strike, type_in, until, work
 
@@ -38,6 +40,7 @@ def found(pilot: Pilot[int]) -> list[str]:
 
 FIRST = (
     ("quit", "Quit"),
+    ("ready", "Ready?"),
     ("new", "New: own engine …"),
     ("new another", "New, or another design …"),
     ("step next", "Next step"),
@@ -53,6 +56,13 @@ FIRST = (
 
 async def test_what_words_find_first(screen: Screen) -> None:
     async with screen() as pilot:
+        every = [entry for entry in entries(work(pilot).app, work(pilot)) if entry.weight == ACTION]
+        idle = {*HIDDEN, "drive"} if work(pilot).no_drive() else HIDDEN
+        titles = [action.title for action in ACTIONS if action.id not in idle]
+        for title in (*titles, *(step.title for step in STEPS)):
+            words = folded(title.replace("?", "")).split()
+            hits = sorted(((entry.score(words)[0], entry.title) for entry in every), reverse=True)
+            assert hits[0][0] > 0 and title in hits[0][1], title
         for words, first in FIRST:
             await strike(pilot, "ctrl+p", *words)
             await until(pilot, lambda first=first: found(pilot)[:1] == [first])  # type: ignore[misc]

@@ -255,6 +255,10 @@ async def test_words_that_a_designer_types_first_find_an_engine(memory: Memory) 
             words.value = typed
             said = f"step {step} of a design"
             await until(pilot, lambda said=said: said in "".join(screen_rows(pilot)))  # type: ignore[misc]
+        words.value = "own 3"  # two of one name: what tells them apart stands next to it
+        await until(pilot, lambda: any("Own inline 3   " in row for row in screen_rows(pilot)))
+        listed = [row.partition("│")[0].partition("Own inline 3")[2].split() for row in screen_rows(pilot)]
+        assert [row[0] for row in listed if row] == ["even", "two-stroke,"]
         words.value = "new"  # from the row of all to one of them
         await pilot.pause()
         await strike(pilot, "enter")

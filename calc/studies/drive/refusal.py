@@ -7,7 +7,7 @@ checks are never relaxed; they are named. Each line is one change alone, sought 
 solution before it is said."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -18,23 +18,27 @@ from ...bearings.plain.selection.variants import ENGINE_OIL, FINEST, SUPPLY
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.making.parts import SUPPORT_WALL
 from ...countershaft.rows import BearingRow
-from ...design.model import Design
-from ...design.toml_file import design
+from ...design.model import IN_SENTENCES, Design
+from ...design.names import asked as input_asked
+from ...design.toml_file import Document, design
 from ...library.lubricant import Lubricant
 from ...library.tolerances import parse
+from ...sheet.check import Check
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, tell
 from ...sheet.record import record
-from ...sheet.text import EMPTY, Name, Text
+from ...sheet.text import COMMA, EMPTY, Name, Text
 from ...sheet.value import untraced
 from .classes import NotClosed, class_with, sized
 from .combinations import DriveRows
+from .output import LABELS
 from .problem import FITS, OIL, SEAT_REACH, SUPPLY_KEY, SURFACES, Problem
 from .search import FrontFound
 from .solved_drive import Whole, whole
 
 FEW = 12  # diameters of the smaller journal that are looked at for a question alone
 HALVINGS = 6
+NAMED = 3  # of what is broken, before the rest is counted
 WORST = -0.9  # margin to which a nearest miss is looked for
 
 
@@ -87,6 +91,19 @@ def _relaxed(problem: Problem, progress: Progress | None) -> Refusal:
     also = set.intersection(*(set(line.broken) for line in lines)) if lines else set()
     lines = [replace(line, broken=tuple(id for id in line.broken if id not in also)) for line in lines]
     return Refusal((), miss, tuple(lines), tuple(useless), tuple(sorted(also)))
+
+
+def said(ids: Sequence[str], document: Document, checks: Iterable[Check]) -> Text:
+    """What is broken, in words: the names of the first checks, of steps without a solution and of bounds, and how many
+    more there are."""
+    names = {check.id: check.name for check in checks}
+    names |= {step: Text("{step} has no solution", step=title) for step, title in IN_SENTENCES.items()}
+    names |= {
+        f"optimise.most.{name}": Text("the bound on the {objective}", objective=word) for name, word in LABELS.items()
+    }
+    words = [names.get(id) or input_asked(document, id) for id in ids[:NAMED]]
+    first, more = COMMA.join(words), len(ids) - NAMED
+    return Text("{names} and {n} more", names=first, n=more) if more > 0 else first
 
 
 # --- one question

@@ -33,8 +33,8 @@ class RepairOption:
     `passes`: the finding and the limits of its group hold; `effect` says how far it comes.  `left`: names of what is
     still open in the group; `breaks`: names of limits that are judged worse then, and of steps without a solution;
     `closer`: of limits that come closer to failing, or further out, in words. `verdicts`: step, before, after. `power`
-    [W], `mass` [kg]: before and after, of the crank's loss and the shaft; `cold` [µm]: the cold clearance, of a
-    bearing. `locked`: by what lock it was not looked at; what is held otherwise says so in `effect`."""
+    [W], `mass` [kg], `cold` [µm]: before and after, of the crank's loss, the shaft and the cold clearance of a bearing.
+    `locked`: by what lock it was not looked at; what is held otherwise says so in `effect`."""
 
     kind: Text
     keys: tuple[str, ...]
@@ -49,7 +49,7 @@ class RepairOption:
     verdicts: tuple[tuple[str, str, str], ...] = ()
     power: tuple[float, float] | None = None
     mass: tuple[float, float] | None = None
-    cold: float | None = None
+    cold: tuple[float, float] | None = None
     locked: str = ""
 
     @property
@@ -76,16 +76,21 @@ class RepairOption:
         parts = [
             Text("{change}", change=Amount(b - a, unit, form="+.3g"))
             for pair, unit in ((self.power, "W"), (self.mass, "kg"))
-            if pair is not None and abs((b := pair[1]) - (a := pair[0])) > 5e-4 * abs(a)
+            if pair is not None and _differ(a := pair[0], b := pair[1])
         ]
-        if self.cold is not None:
-            parts.append(Text("cold gap {gap}", gap=Amount(self.cold, "µm", digits=3)))
+        if self.cold is not None and _differ(*self.cold):
+            parts.append(Text("cold gap {gap}", gap=Amount(self.cold[1], "µm", digits=3)))
         texts = [COMMA.join(parts)] if parts else []
         if self.breaks and self.quality != BREAKS:  # of which the effect says so
             texts.append(Text("then not kept: {checks}", checks=first_of(self.breaks)))
         if self.closer:
             texts.append(Text("then closer: {checks}", checks=COMMA.join(self.closer[:2])))
         return SEMICOLON.join(texts) if texts else EMPTY
+
+
+def _differ(before: float, after: float) -> bool:
+    """Whether it is worth a word."""
+    return abs(after - before) > 5e-4 * abs(before)
 
 
 def ranked(ways: Iterable[RepairOption]) -> tuple[RepairOption, ...]:
@@ -107,7 +112,10 @@ def repair_option(
     limits = any(c.verdict == "fail" for c in left) or (bool(left) and left[0].id == group[0].id)
     quality = NEAR if limits else BREAKS if side.breaks else AS_GIVEN if left else ALL_CORNERS
     before, then = state.results, after.results
-    gaps = {v.id.rpartition(".")[0]: v.shown for v in then.values_of(PlainResult.clearance_cold)}
+    gaps, gaps_then = (
+        {v.id.rpartition(".")[0]: v.shown for v in results.values_of(PlainResult.clearance_cold)}
+        for results in (before, then)
+    )
     return RepairOption(
         kind,
         tuple(changes),
@@ -122,7 +130,7 @@ def repair_option(
         tuple((key, before.outcomes[key].verdict, then.outcomes[key].verdict) for key in ORDER),
         _pair(before, then, FrictionResult.total_loss),
         _pair(before, then, ShaftsResult.shaft_mass) or _pair(before, then, CountershaftResult.mass),
-        gaps.get(part),
+        (gaps[part], gaps_then[part]) if part in gaps and part in gaps_then else None,
     )
 
 

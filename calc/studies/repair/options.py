@@ -180,8 +180,9 @@ NEARER = 0.9  # share of what is missing that a change may leave to be worth a r
 
 def _best(
     state: RepairState, step: str, group: tuple[Check, ...], plan: LeverPlan, progress: Progress | None
-) -> RepairOption | None:
-    """The best way of a kind; None where it brings nothing."""
+) -> tuple[RepairOption, ...]:
+    """The best way of a kind, and of a smaller change what the finding itself names, where that mends it as given; none
+    where it brings nothing."""
     label, options = words_of(state.document, plan.keys[0]), list[RepairOption]()
     name = label.other or label.less
     tell(progress, 0.0, name)
@@ -207,8 +208,14 @@ def _best(
     options = sorted((way for way in options if _worth(trials, way)), key=rank)
     given = next((way for way in options if way.quality == AS_GIVEN), None)
     if given is not None and options[0].disturbance > max(DEAR * given.disturbance, LARGE):
-        return given
-    return next(iter(options), None)
+        options = [given, *options]
+    named, best = [dict(remedy.changes) for check in group[:1] for remedy in check.remedies], options[:1]
+    smaller = (
+        way
+        for way in options[1:]
+        if way.quality == AS_GIVEN and way.disturbance < best[0].disturbance and dict(way.made) in named
+    )
+    return (*best, *islice(smaller, 1))
 
 
 def _way(trials: Trials, changes: Changes) -> RepairOption | None:
@@ -313,12 +320,13 @@ def search(
     for n, plan in enumerate([*free, *([None] if not group or group[0].kind == "limit" else [])]):
         here = part(progress, n / (len(free) + 1), (n + 1) / (len(free) + 1))
         if plan is not None:
-            way = _best(state, step, group, plan, here)
+            ways = _best(state, step, group, plan, here)
         else:
-            way = _whole_step(state, step, group, here, nearest)
-        if way is not None and way.changes not in known:
-            known.add(way.changes)
-            yield way
+            ways = _whole_step(state, step, group, here, nearest)
+        for way in ways:
+            if way.changes not in known:
+                known.add(way.changes)
+                yield way
 
 
 def _computed(
@@ -353,15 +361,15 @@ def _whole_step(
     group: tuple[Check, ...],
     progress: Progress | None,
     nearest: NearestRemedy | None,
-) -> RepairOption | None:
-    """The nearest design in which all limits of the step hold."""
+) -> tuple[RepairOption, ...]:
+    """The nearest design in which all limits of the step hold, if there is one."""
     nearest = nearest or remedy(state.document, step, state.results, progress, tries=QUICK)
     if not nearest.changes or (not nearest.mends and group):
-        return None
+        return ()
     after = RepairState(nearest.document, nearest.results)
     changes = nearest.made
     way = repair_option(state, after, changes, group, WHOLE_STEP)
-    return way if way.quality < NEAR else None
+    return (way,) if way.quality < NEAR else ()
 
 
 def _given(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOption]:

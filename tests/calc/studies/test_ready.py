@@ -140,6 +140,14 @@ def test_a_caution_that_can_not_be_judged_decides_nothing(gamma: tuple[Document,
     assert told is not None and told.check is wide
 
 
+def test_the_mounts_say_what_is_felt_with_its_unit_and_where_nobody_sits_their_modes() -> None:
+    felt, alone = (
+        headline(solve(design(read(DESIGNS / f"{name}_mounting.toml"))), "mounting") for name in ("r753ie4", "twin")
+    )
+    assert felt is not None and str(felt.text) == "seat 0.034 → 0.031 m/s²"
+    assert alone is not None and str(alone.text) == "modes 5.3 … 14 Hz"
+
+
 def test_a_step_without_a_solution_is_left(gamma: tuple[Document, Results]) -> None:
     document, results = gamma
     lost = replace(results.outcomes["bearings"], state="no_solution", result=None, checks=())

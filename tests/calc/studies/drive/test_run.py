@@ -8,14 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.design.toml_file import Document, parse
+from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput
+from calc.solve import solve
 from calc.studies.drive.classes import NotClosed, class_of
 from calc.studies.drive.classes import sized as row_of
 from calc.studies.drive.films import asked_film
 from calc.studies.drive.output import csv_text, json_text, table
 from calc.studies.drive.problem import MARGINS
-from calc.studies.drive.refusal import refusal
+from calc.studies.drive.refusal import refusal, said
 from calc.studies.drive.search import _instead, asked, search
 from calc.studies.drive.solved_drive import Sized, whole
 from tests.calc.studies.drive.conftest import FEW
@@ -270,7 +271,16 @@ def test_what_the_search_does_not_move_is_named(sized):
     problem, _ = asked(jams, {"vary": FEW, "rows": 20})
     found = search(problem)
     assert found.drives == () and len(found.dropped) <= 12
-    assert "gears.crank_central.backlash" in refusal(found).always
+    always = refusal(found).always
+    assert "gears.crank_central.backlash" in always
+    words = str(said(always, jams, solve(design(jams)).checks()))
+    assert "Smallest backlash crank–central" in words and words.endswith(f" and {len(always) - 3} more")
+    assert "_" not in words and len(always) > 3
+
+
+def test_what_is_broken_beside_checks_is_named_too(sized):
+    words = said(("gears", "bearings.film_edge_of_none", "optimise.most.seat"), sized, ())
+    assert str(words) == "gears has no solution, film edge of none, the bound on the largest seat"
 
 
 def test_a_shaft_that_takes_a_force_has_no_proof(sized):

@@ -75,8 +75,19 @@ def test_remedies_of_several_kinds_do_what_they_say(gamma: Document, id: str, ki
         assert way.power is not None and way.power[1] == pytest.approx(
             after.results.values()["friction.total_loss"].shown
         )
+        assert ("cold gap" in way.rest) == (way.cold is not None and way.cold[0] != way.cold[1])
     ranks = [way.quality for way in found]
     assert ranks == sorted(ranks)
+
+
+@pytest.mark.slow
+def test_what_the_finding_names_is_listed_beside_a_larger_change(gamma: Document) -> None:
+    """Both of one kind: with what it says of itself, and at every corner."""
+    check, found = ways_of(gamma, "gears.central_idler.backlash_warm")
+    (named,) = check.remedies
+    corners, own = (way for way in found if way.kind == "thinner teeth")
+    assert dict(own.made) == dict(named.changes) and own.disturbance < corners.disturbance
+    assert own.result.startswith("passes as given") and "every corner" in corners.result
 
 
 @pytest.mark.slow
