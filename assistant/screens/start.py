@@ -39,9 +39,8 @@ from .path_dialogs import OpenDialog, begin_with
 ABOUT_BEGINNING = {
     "open": Text("A design file, from any folder. Unsaved edits of it that were kept are put back."),
     "example": Text(
-        "The counter-shaft of a three-cylinder diesel as it was published, from the engine to the friction. Look at what fails, and "
-        "why. Nothing is "
-        "written before you save, and then under a name of its own."
+        "The counter-shaft of a three-cylinder diesel as it was published, from the engine to the friction. Look at "
+        "what fails, and why. Nothing is written before you save, and then under a name of its own."
     ),
     "own": Text(
         "Enter asks for a name. Then bore, stroke, rod, masses, speed and power are asked for, one after the other, "
