@@ -48,6 +48,7 @@ KEYS = (
 )
 GIVEN = ("report", "export", "drive", "palette", "undo", "redo", "quit")
 PICTURE = (90, 14)  # cells of the picture at most
+TALL = 30  # rows with room for the picture before the numbers
 ASSUMED, NOT_COUNTED, HELD, STRETCHED = FOLDED = "assumed", "not_counted", "held", "stretched"  # what is folded
 
 
@@ -80,7 +81,9 @@ class Closing(ItemList):
         self.go_to(key, top=True)
 
     def build(self, width: int) -> list[Item]:
-        parts = (self._picture(width), self._numbers(width), *self._steps(width), *self._said(width))
+        said = (self._numbers(width), *self._steps(width), *self._said(width))
+        picture = self._picture(width)
+        parts = (picture, *said) if self.size.height >= TALL else (*said, picture)  # where room is short, numbers first
         return [item for part in parts if part for item in (*part, Item("", [Content("")]))]
 
     def _picture(self, width: int) -> list[Item]:
