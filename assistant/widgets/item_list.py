@@ -186,12 +186,15 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
         """Move by a screenful, or by many."""
         if not self._first or self.cursor < 0:
             return
-        wanted = self._first[self.cursor] + by * max(1, self.size.height - 1)
+        before, page = self.cursor, by * max(1, self.size.height - 1)
+        wanted, seen = self._first[self.cursor] + page, self.scroll_y + page
         choosable = [i for i, item in enumerate(self.items) if item.key]
         nearest = min(choosable, key=lambda i: abs(self._first[i] - wanted))
         if nearest == self.cursor:  # an item higher than the list
             nearest = choosable[max(0, min(len(choosable) - 1, choosable.index(nearest) + (1 if by > 0 else -1)))]
         self._move(nearest)
+        if nearest == before or not 0 <= wanted < len(self._rows):  # nothing more to choose: show what stands there
+            self.scroll_to(y=seen, animate=False, force=True)
 
     def _move(self, index: int, *, top: bool = False) -> None:
         self.cursor = index

@@ -8,7 +8,7 @@ import pytest
 from textual.widgets import Input
 
 from assistant.screens.palette import Palette
-from assistant.screens.ready import ReadyScreen
+from assistant.screens.ready import Closing, ReadyScreen
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
 from tests.assistant.conftest import Screen, solved
@@ -29,6 +29,21 @@ async def test_saving(screen: Screen, light: Session) -> None:
         await pilot.pause()
         assert "not saved" in told(pilot) and light.home.read_bytes() == saved
         assert "No report" in told(pilot)
+
+
+async def test_end_shows_what_was_unfolded_last(screen: Screen) -> None:
+    """Behind the last row that can be chosen there are rows that can only be read."""
+    async with screen(size=(80, 24)) as pilot:
+        await strike(pilot, "escape", "i")
+        await until(pilot, lambda: isinstance(pilot.app.screen, ReadyScreen))
+        closing = pilot.app.screen.query_one(Closing)
+        await until(pilot, lambda: "not_counted" in closing.unfolded)
+        await strike(pilot, "home", "end")
+        await until(pilot, lambda: closing.scroll_y == closing.max_scroll_y > 0)
+        last = closing.items[-2].rows[-1].plain.strip()
+        await until(pilot, lambda: any(last in row for row in screen_rows(pilot)[-4:]))
+        await strike(pilot, "home")
+        await until(pilot, lambda: closing.scroll_y == 0)
 
 
 @pytest.mark.slow

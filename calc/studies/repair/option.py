@@ -21,7 +21,7 @@ from .effects import NO_EFFECTS, SideEffects, first_of, side_effects
 from .levers import disturbance
 from .state import ORDER, RepairState, broken, closer_limits, is_mended
 
-MOST, SHUT = 5, 2  # that are offered, and of these locked ones
+MOST, SHUT = 6, 2  # that are offered, and of these locked ones
 ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, LOCKED = range(5)  # how good a way is
 
 
