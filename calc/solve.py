@@ -10,7 +10,7 @@ swaps each pair."""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
-from functools import cache, partial
+from functools import cache, cached_property, partial
 from typing import Any, TypeVar, cast
 
 from .bearings import solve as bearings
@@ -166,12 +166,12 @@ class Results:
         """The same with all curves, tables and notes, those too that take longer than a keystroke may."""
         return replace(self, outcomes={key: outcome.whole for key, outcome in self.outcomes.items()})
 
-    @property
+    @cached_property
     def verdict(self) -> State:
-        """The state of the design."""
+        """The state of the design; asked for, as its counts are, several times at every keystroke."""
         return design_state(self.checks(), [outcome.verdict for outcome in self.outcomes.values()])
 
-    @property
+    @cached_property
     def counts(self) -> Counts:
         return counts(self.checks())
 

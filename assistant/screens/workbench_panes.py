@@ -8,12 +8,14 @@ curve. Very wide, the curve has a place of its own below the picture.
 of its subjects, each of which calls what stands in those before it."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.containers import Container, Horizontal, Vertical
 from textual.content import Content
+from textual.css.query import NoMatches
 from textual.reactive import Reactive
 from textual.screen import Screen
 from textual.style import Style
@@ -157,8 +159,8 @@ class WorkbenchPanes(Screen[None]):
         return self.step.key in OF_SHAFT and len(self.session.shafts) > 1
 
     def refresh_top_line(self) -> None:
-        for line in self.query(TopLine):  # none while another design is being entered
-            line.refresh()
+        with suppress(NoMatches):  # while another design is being entered
+            self.query_one(TopLine).refresh()
 
     # --- later, or in another thread
     def in_thread(self, group: str, do: Callable[[], None], *, exclusive: bool = True) -> None:

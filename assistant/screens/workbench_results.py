@@ -30,7 +30,6 @@ from ..session.session import Session
 from ..session.solving import Answer, Job, run
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
-from ..widgets.curve_pane import CurvePane
 from ..widgets.field import Field
 from ..widgets.form import Form, Taken
 from ..widgets.headings import ArrayHeading, Fold, TableHeading
@@ -591,7 +590,10 @@ class WorkbenchResults(WorkbenchPanes):
     @property
     def _whole(self) -> bool:
         """Whether what the last line and the titles tell of is there: at the end it goes before they do."""
-        return self.stands and bool(self.query(Checks)) and bool(self.query(CurvePane))
+        try:
+            return self.stands and self.checks.is_attached and self.curve_pane.is_attached
+        except NoMatches:
+            return False
 
     def show_keys(self) -> None:
         """The footer leaves out first what does nothing here."""
