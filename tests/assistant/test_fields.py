@@ -12,6 +12,7 @@ from assistant.widgets.checks import Checks
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field
 from assistant.widgets.headings import ArrayHeading
+from assistant.widgets.rows import ALL
 from calc.design.addresses import address, asks, quantities, step_at
 from calc.design.model import STEPS
 from calc.sheet.text import Text
@@ -71,7 +72,7 @@ async def test_a_burst_passes_over_what_is_no_text(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.layout")
         await go_to(pilot, "engine.cylinder_pitch_mm")
-        for name in ("9", "9", "down", "down", "down", "down", "4"):
+        for name in ("9", "9", "down", "down", "down", "down", "down", "4"):
             pilot.app.post_message(events.Key(name, name if len(name) == 1 else None))
         await settled(pilot)
         await solved(pilot)
@@ -332,6 +333,9 @@ async def test_a_step_that_is_not_asked_can_be_added(session: Session, screen: S
 async def test_values_of_earlier_steps_lead_to_their_owner(screen: Screen) -> None:
     async with screen() as pilot:
         await pilot.press("escape", "3")
+        await settled(pilot)
+        work(pilot).form.opened.add(ALL)  # beside other panes they lie behind the one fold
+        work(pilot).form.rebuild()
         await settled(pilot)
         work(pilot).form.stops()[-1].focus()
         await until(pilot, lambda: "← 1" in rows(pilot))  # the form is long, and has to scroll there

@@ -38,7 +38,7 @@ async def test_a_scissor_gear_is_added_to_a_mesh(screen: Screen, tmp_path: Path,
         shown = [f.place[-1] for f in form.query(Field) if f.display and f.place[:4] == SCISSOR]
         assert shown == ["torque_Nm", "stiffness_Nm_deg", "face_width_mm", "to_rpm", "wheel"]
         assert set(session.reasons()) == {(*SCISSOR, "torque_Nm")}  # all else may be left out
-        await until(pilot, lambda: "Spring torque of the s" in rows(pilot) and "Rate of its spring" in rows(pilot))
+        await until(pilot, lambda: "Spring torque of the" in rows(pilot) and "Rate of its spring" in rows(pilot))
         drive = next(h for h in form.query(TableHeading) if h.row.place == ("gears", "drive"))
         drive.focus()
         await settled(pilot)

@@ -211,7 +211,7 @@ def test_the_safeties_that_govern_are_those_of_the_strikes(results: Results, gam
     assert governing["S_F"].low.shown == pytest.approx(min(S_F), rel=1e-9)
     assert governing["S_H"].words == "0.94 to 1.08" and governing["S_F"].words == "1.10 to 1.49"
     numbers = dict(main_numbers(results))
-    assert numbers["rattle at idle"] == "B 58 mm/s"
+    assert numbers["rattle at idle"] == "B 58 mm/s (A ≤ 35, B ≤ 70)"
     assert numbers["S_H"] == "0.94 to 1.08 under strikes" and numbers["S_F"] == "1.10 to 1.49 under strikes"
     assert not governing_safeties(gamma_results)  # a motion that is assumed governs nothing
     assert "strikes" not in dict(main_numbers(gamma_results))["S_H"]
