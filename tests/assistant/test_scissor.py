@@ -46,4 +46,4 @@ async def test_a_scissor_gear_is_added_to_a_mesh(screen: Screen, tmp_path: Path,
         await settled(pilot)
         arrays = [h.row.place[-1] for h in form.query(ArrayHeading) if h.row.place[:2] == ("gears", "drive")]
         assert {"irregularity", "drag"} <= set(arrays)
-        await until(pilot, lambda: "End of the crank that" in rows(pilot))
+        await until(pilot, lambda: "End of the crank" in rows(pilot))
