@@ -187,7 +187,7 @@ async def test_over_an_open_design_and_back(screen: Screen, light: Session) -> N
     async with screen() as pilot:
         await strike(pilot, "ctrl+n")
         await until(pilot, lambda: isinstance(pilot.app.screen, Start) and start(pilot).here is not None)
-        assert start(pilot).here.kind == "engine"  # type: ignore[union-attr]
+        assert start(pilot).here.kind == "own"  # type: ignore[union-attr]
         await strike(pilot, "x", "escape", "escape")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
         assert work(pilot).session is light

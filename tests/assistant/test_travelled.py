@@ -103,7 +103,7 @@ async def test_the_cursor_goes_where_it_was_undone(screen: Screen, light: Sessio
         assert isinstance(app, ContralberoApp)
         folded = next(
             key
-            for key in ("engine.rated_power_kW", "engine.idle_rpm")
+            for key in ("engine.rated_power_kW", "engine.flywheel_inertia_kgm2")
             if bench.form._parts.fold(light.place(key)) is not None
         )
         before = light.text(folded)
