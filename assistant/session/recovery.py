@@ -113,6 +113,18 @@ class Edits:
         return EditState(data, texts)
 
 
+SAID = ("locked", "accepted")  # of inputs and findings, which no field has
+
+
+def with_said(valid: Table, data: Table) -> Table:
+    """A valid design with what these tables, which may be none, say of its inputs and findings."""
+    if all(valid.get(key) == data.get(key) for key in SAID):
+        return valid
+    return {key: value for key, value in valid.items() if key not in SAID} | {
+        key: data[key] for key in SAID if key in data
+    }
+
+
 def not_accepted(valid: Table, state: EditState) -> dict[Place, str]:
     """The entries by which a state differs from the last valid design, as texts of their fields."""
     texts: dict[Place, str] = {}
@@ -126,7 +138,8 @@ def not_accepted(valid: Table, state: EditState) -> dict[Place, str]:
 
     if state.data is not valid:
         for where, content in differences(valid, state.data):
-            leaves(where, content)
+            if where[0] not in SAID:
+                leaves(where, content)
     return texts | {where: text for where, (text, _) in state.texts.items()}
 
 

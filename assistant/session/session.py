@@ -24,7 +24,7 @@ from calc.studies.shipped import EXAMPLE, is_shipped
 
 from .editing import Editing
 from .places import NAME, SHAFTS, Place, content_at, named_key, original_of
-from .recovery import Edits, Memory, Presence, is_file, not_accepted
+from .recovery import Edits, Memory, Presence, is_file, not_accepted, with_said
 from .saving import Draft, SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
 from .undo import EditState
@@ -434,7 +434,7 @@ class Session(Editing):
         """Keep aside the last valid state and the entries that are not accepted; a failure is remembered."""
         with self._keeping:
             state = self._state
-            data = state.data if self.blank else self._valid
+            data = state.data if self.blank else with_said(self._valid, state.data)
             typed = not_accepted(data, state)
             if data == self.saved and not typed and not self._unwritten:
                 # those of an earlier session, all of them taken back

@@ -88,3 +88,14 @@ async def test_nothing_is_built_or_recorded_of_it(path: Path, memory: Memory) ->
             await pilot.pause()
             assert told(pilot).strip().endswith(str(FIRST_VALID)), does
         assert session.recording is None
+
+
+def test_a_lock_beside_a_number_that_is_not_valid_is_kept(path: Path, memory: Memory) -> None:
+    path.write_text(engine_design("inline-6"), encoding="utf-8")
+    session = Session.open(path, memory=memory)
+    session.edit("engine.bore_mm", "-5")
+    session.toggle_lock(session.place("engine.rod_length_mm"))
+    session.autosave()
+    session.leave()
+    again = Session.open(path, memory=memory)
+    assert again.lock_reason("engine.rod_length_mm") and again.data == session.data and not again.valid
