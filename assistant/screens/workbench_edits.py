@@ -40,13 +40,13 @@ from ..widgets.steps import states_of
 from .dialogs import Accept, Ask, Choose, LeaveOut
 from .path_dialogs import ExportDialog, OpenDialog, RecordDialog, SaveDialog, folder_of
 from .workbench_moves import WorkbenchMoves
+from .workbench_panes import FIRST_VALID
 
 if TYPE_CHECKING:
     from calc.studies.repair.option import RepairOption
 
 BUILDING = Text("It is being built by the rules …")
 BUILDING_ALL = Text("All that is left is being built by the rules: up to half a minute …")
-FIRST_VALID = Text("First the input has to be valid.")
 GIVE_SIZE = Text("Give a size first, for instance 6205; {key} lists sizes once one is there.")
 SIZE: Place = (dotted(RollingRow.size),)
 ASK_UPGRADE = Text(

@@ -53,6 +53,8 @@ PANES = ("steps", *VIEWS)
 TURNED = ("checks", "calculation", "curve")  # take turns in one place
 HUGE = 170  # cells of a screen that has room for the findings beside the picture
 
+FIRST_VALID = Text("First the input has to be valid.")
+
 
 class WorkbenchPanes(Screen[None]):
     """`step` is the one that is shown.  `pane` has, or had last, the focus; `turned`: the one of those that take turns;
@@ -237,7 +239,7 @@ class WorkbenchPanes(Screen[None]):
         """Why the whole drive can not be searched for now; empty where it can, and where it is offered."""
         session = self.session
         if not session.valid:
-            return Text("First the input has to be valid.")
+            return FIRST_VALID
         if session.results is None or not session.current:
             return session.failure or Text("It is still being solved.")
         results, shaft, why = self._no_drive

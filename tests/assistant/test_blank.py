@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from assistant.app import ContralberoApp
-from assistant.screens.workbench_edits import FIRST_VALID
+from assistant.screens.workbench_panes import FIRST_VALID
 from assistant.session.beginnings import _blanks, blank, engine_only
 from assistant.session.recovery import Memory
 from assistant.session.session import Session
