@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 P = ParamSpec("P")
 R = TypeVar("R", covariant=True)
+new = object.__new__
 
 
 class _Help:
@@ -86,9 +87,14 @@ class Formula(Generic[P, R]):
     def __call__(self: "Formula[..., complex]", *args: "AnyNumbers", **kwargs: "AnyNumbers") -> "ComplexArray": ...
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         value = self.function(*args, **kwargs)
-        if (lines := recorder.get()) is not None:  # written out here: this is called a thousand times for one design
-            given = {**dict(zip(self.parameters, args)), **kwargs} if args else kwargs
-            line = Line(self, given, value, subject.get())
+        if (lines := recorder.get()) is not None:  # written out here: this is called ten thousand times for one design
+            given = kwargs
+            if args:
+                given = dict(zip(self.parameters, args))
+                if kwargs:
+                    given |= kwargs
+            line = new(Line)
+            line.formula, line.arguments, line.value, line.about = self, given, value, subject.get()
             lines.append(line)
             plain: object = value
             if type(plain) is float:  # as nearly all of them

@@ -1,6 +1,7 @@
 """Records: what they refuse, and how they print themselves."""
 
-from dataclasses import FrozenInstanceError
+from dataclasses import FrozenInstanceError, field, replace
+from inspect import signature
 
 import pytest
 
@@ -32,6 +33,27 @@ GIVEN = {"name": "front", "diameter": 0.06, "length": 0.03, "journal_roughness":
 def test_a_wrong_keyword_is_named(make):
     with pytest.raises(TypeError, match="lenght"):
         make()
+
+
+@record
+class Made:
+    self: float
+    held: list = field(default_factory=list)
+    count: int = field(default=0, kw_only=True)
+    kept: dict = field(default_factory=dict, init=False)
+
+    def __post_init__(self) -> None:
+        self.kept["count"] = self.count
+
+
+def test_a_record_is_made_as_the_library_makes_it():
+    one, two = Made(1.0), Made(2.0, [3], count=4)
+    assert (one.self, one.held, one.count, one.kept) == (1.0, [], 0, {"count": 0})
+    assert (two.self, two.held, two.count, two.kept) == (2.0, [3], 4, {"count": 4})
+    assert one.held is not Made(1.0).held and replace(two, count=5).kept == {"count": 5}
+    assert str(signature(Point)) == "(x: float, y: float, names: tuple[str, ...] = ()) -> None"
+    with pytest.raises(TypeError, match=r"Made.__init__\(\) takes from 2 to 3 positional arguments but 4 were given"):
+        Made(1.0, [], 3)
 
 
 def test_a_record_is_written_once():
