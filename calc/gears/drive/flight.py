@@ -18,7 +18,7 @@ from ...sheet.record import record
 
 EVENTS = 8  # without an orbit that closes by then all of them count
 PERIODS = 200  # of the motion, for one flight: what has met no flank by then meets none
-HALVINGS, NEWTONS = 10, 3  # of the panel in which a flank is met; where it is but grazed the halvings stand
+HALVINGS, NEWTONS = 6, 3  # of the panel in which a flank is met; where it is but grazed the halvings stand
 SAME_PHASE = 1e-6  # of the period
 
 

@@ -98,6 +98,28 @@ def whip_force(M: Kilogram, u: MetrePerSecond, b: Metre, c: Pascal) -> Newton:
 
 
 @record
+class ToothStiffness:
+    """Of each mesh; a chain has none, and numbers that disturb nothing."""
+
+    there: BoolArray  # (B,)
+    b: Array  # (B,) in m
+    c: Array  # (B,) c_γα,100 in Pa
+
+
+@record
+class Forces:
+    """Of every strike through every mesh, in N; P points, B bodies, E events."""
+
+    low: Array  # (P, on, by, E)
+    high: Array  # (P, mesh, by, E)
+    whip: Array  # (P, B)
+    hardest: Array  # (P, B) strike of the branch, in m/s
+
+    def at(self, point: int) -> "Forces":
+        return Forces(self.low[point], self.high[point], self.whip[point], self.hardest[point])
+
+
+@record
 class Impacts:
     """What the strikes are to each mesh; P points, B bodies, each with the mesh that drives it.  Nothing strikes: 0."""
 
@@ -108,6 +130,8 @@ class Impacts:
     low: Array  # (P, B) in N; low and high are 0 in a chain
     high: Array  # (P, B) in N
     share: Array  # (P, B) backlash of the path over half the driver's swing
+    teeth: ToothStiffness
+    forces: Forces
 
 
 def impacts(motion: Motion, bodies: Bodies, of: Closed, strikes: Strikes, factor: Array | None = None) -> Impacts:
@@ -126,27 +150,22 @@ def impacts(motion: Motion, bodies: Bodies, of: Closed, strikes: Strikes, factor
     flanks = (counts & (strikes.flank > 0)).any(-1).astype(int) + (counts & (strikes.flank < 0)).any(-1)
 
     teeth = _teeth(bodies, factor)
+    branch = _hardest_of_branch(bodies, strikes)
     with untraced():
-        high = np.maximum(_high(bodies, of, strikes, teeth).max((2, 3)), _whip(bodies, of, strikes, teeth))
-        behind = bodies.lever * _low(bodies, of, strikes, teeth).max((2, 3))[:, None]  # (P, i, on)
+        low, high = _low(bodies, of, strikes, teeth), _high(bodies, of, strikes, teeth)
+        whip = _whip(bodies, of, branch, teeth) * teeth.there
+    behind = bodies.lever * low.max((2, 3))[:, None]  # (P, i, on)
     return Impacts(
         speed=on.max(2),
         impacts=np.take_along_axis(number, orbit, 1),
         flanks=np.take_along_axis(flanks, orbit, 1),
         power=strikes.power,
         low=behind.max(2) * bodies.toothed,
-        high=high * bodies.toothed,
+        high=np.maximum(high.max((2, 3)) * bodies.toothed, whip),
         share=strikes.share,
+        teeth=teeth,
+        forces=Forces(low, high, whip, branch),
     )
-
-
-@record
-class ToothStiffness:
-    """Of each mesh; a chain has none, and numbers that disturb nothing."""
-
-    there: BoolArray  # (B,)
-    b: Array  # (B,) in m
-    c: Array  # (B,) c_γα,100 in Pa
 
 
 def _teeth(bodies: Bodies, factor: Array | None) -> ToothStiffness:
@@ -195,10 +214,9 @@ def _forces(
     return forces
 
 
-def _whip(bodies: Bodies, of: Closed, strikes: Strikes, teeth: ToothStiffness) -> Array:
-    """(P, B): one wheel against its neighbour, by the hardest strike of their branch.  None in a mesh of the first
+def _whip(bodies: Bodies, of: Closed, u: Array, teeth: ToothStiffness) -> Array:
+    """(P, B): one wheel against its neighbour, by the hardest strike u of their branch.  None in a mesh of the first
     driver that parts of itself: its driver is not thrown back."""
-    u = _hardest_of_branch(bodies, strikes)
     first = np.array(bodies.parent) < 0
     mu = np.where(first, bodies.mass, reduced_mass(bodies.mass, bodies.mass[list(bodies.parent)], bodies.rho))
     return np.where(first & of.parts, 0.0, whip_force(mu, u, teeth.b, teeth.c))
@@ -223,39 +241,20 @@ class AtPoint:
     of: Closed
     strikes: Strikes
     teeth: ToothStiffness
-    low: Array  # (on, by, E)
-    high: Array  # (mesh, by, E)
-    whip: Array  # (B,)
-    hardest: Array  # (B,) of the branch, in m/s
+    forces: Forces
 
 
-def at_point(bodies: Bodies, of: Closed, strikes: Strikes, point: int = 0, factor: Array | None = None) -> AtPoint:
-    bodies, of, strikes = bodies.at([point]), of.at([point]), strikes.at([point])
-    teeth = _teeth(bodies, factor)
-    with untraced():
-        low, high = _low(bodies, of, strikes, teeth)[0], _high(bodies, of, strikes, teeth)[0]
-        whip = _whip(bodies, of, strikes, teeth)[0] * teeth.there
-        return AtPoint(bodies, of, strikes, teeth, low, high, whip, _hardest_of_branch(bodies, strikes)[0])
-
-
-def forces_of(
-    bodies: Bodies,
-    of: Closed,
-    strikes: Strikes,
-    mesh: int,
-    point: int = 0,
-    factor: Array | None = None,
-) -> tuple[Newton, Newton]:
-    """Low and high of one mesh, by the formulas, from the strikes that govern; all seen at this mesh.  (0, 0) where
-    nothing strikes."""
-    return forces_in(at_point(bodies, of, strikes, point, factor), mesh)
+def at_point(bodies: Bodies, of: Closed, strikes: Strikes, hits: Impacts, point: int = 0) -> AtPoint:
+    one = [point]
+    return AtPoint(bodies.at(one), of.at(one), strikes.at(one), hits.teeth, hits.forces.at(point))
 
 
 def forces_in(at: AtPoint, mesh: int, sources: Sequence[object] = ()) -> tuple[Newton, Newton]:
-    """The same of one mesh after the other; `sources`: what mass, speed and press of a strike stand on."""
-    bodies, of, strikes, teeth = at.bodies, at.of, at.strikes, at.teeth
-    low, high = at.low * bodies.lever[mesh][:, None, None] * teeth.there[mesh], at.high[mesh]
-    whip, hardest = float(at.whip[mesh]), float(at.hardest[mesh])
+    """Low and high of one mesh, by the formulas, from the strikes that govern; all seen at this mesh.  (0, 0) where
+    nothing strikes.  `sources`: what mass, speed and press of a strike stand on."""
+    bodies, of, strikes, teeth, forces = at.bodies, at.of, at.strikes, at.teeth, at.forces
+    low, high = forces.low * bodies.lever[mesh][:, None, None] * teeth.there[mesh], forces.high[mesh]
+    whip, hardest = float(forces.whip[mesh]), float(forces.hardest[mesh])
     F_low = F_high = based_on(0.0, *sources)
     if (F := float(low.max())) > 0:
         on, by, event = (int(n) for n in np.unravel_index(np.argmax(low), low.shape))

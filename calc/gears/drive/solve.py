@@ -333,7 +333,7 @@ def _meshes(
     by_mesh: dict[str, dict[str, MeshAt]] = {link.key: {} for link in line.links if link.toothed}
     for place, (op, p) in enumerate(at.items()):
         D = _drags(drive, p, judged)
-        seen = at_point(judged.bodies, judged.closed, judged.strikes, p) if op in TRACED else None
+        seen = at_point(judged.bodies, judged.closed, judged.strikes, judged.impacts, p) if op in TRACED else None
         for i, link in enumerate(line.links):
             if link.toothed:
                 with about(Text("mesh {pair}, {op}", pair=link.title, op=OPERATIONS[op])):

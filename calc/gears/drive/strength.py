@@ -104,20 +104,32 @@ def strike_rate(
 
 
 def struck(
-    context: RatingContext, key: str, F: Newton, speed_ratio: Number = 1.0, rate: StrikeRate | None = None
+    context: RatingContext,
+    key: str,
+    F: Newton,
+    speed_ratio: Number = 1.0,
+    rate: StrikeRate | None = None,
+    like: Loaded | None = None,
 ) -> Loaded | None:
     """A mesh under the force F of a strike along the transverse line of action, where the crank turns `speed_ratio`
     times as fast as in the rating; None where no force acts or a wheel has no strength class.
 
-    `rate`: counted where a life is given; without it, or without a life, the endurance limits hold."""
+    `rate`: counted where a life is given; without it, or without a life, the endurance limits hold.  `like`: what this
+    gave at the same speed and rate under another force; what no force changes is taken from it."""
+    if not F > 0:
+        return None
     mesh, cycles = context.train.meshes[key], dict[str, Number | None]()
+    if like is not None:
+        cycles = {of.name: of.cycles for of in like.strength.sides}
+        return _under(like.at, mesh, F, cycles, like, reverses=True)
     for name in (mesh.driver, mesh.driven):
         cycles[name] = None
         if context.gears.life is not None and rate is not None:
             with about(Text("wheel {name}", name=name)):
                 c, i = rate.per_tooth[name], float(rate.strokes)
                 cycles[name] = strike_cycles(n=rate.crank_speed, L_h=context.gears.life, i=i, c=c)
-    return _under(context, mesh, F, speed_ratio, cycles, reverses=True)
+    there = _at_speed(context, mesh, speed_ratio)
+    return None if there is None else _under(there, mesh, F, cycles, reverses=True)
 
 
 def held(
@@ -133,32 +145,39 @@ def held(
         narrow = replace(body, wheel=replace(body.wheel, face_width=width))
         context = replace(context, bodies=context.bodies | {split: narrow})
     cycles = {name: contact_cycles(context, name, speed_ratio) for name in (mesh.driver, mesh.driven)}
-    return _under(context, mesh, F, speed_ratio, cycles, reverses=False)
+    there = _at_speed(context, mesh, speed_ratio) if F > 0 else None
+    return None if there is None else _under(there, mesh, F, cycles, reverses=False)
 
 
-def _under(
-    context: RatingContext,
-    mesh: MeshResult,
-    F: Newton,
-    speed_ratio: Number,
-    cycles: Mapping[str, Number | None],
-    reverses: bool,
-) -> Loaded | None:
-    driver, driven = mesh.driver, mesh.driven
-    if not F > 0 or not {driver, driven} <= context.classes.keys():
+def _at_speed(context: RatingContext, mesh: MeshResult, speed_ratio: Number) -> RatingContext | None:
+    """With the wheels of a mesh `speed_ratio` times as fast; None where one has no strength class."""
+    if not {mesh.driver, mesh.driven} <= context.classes.keys():
         return None
     bodies = dict(context.bodies)
-    for name in (driver, driven):
+    for name in (mesh.driver, mesh.driven):
         with about(Text("wheel {name}", name=name)):
             n = speed_there(n=bodies[name].wheel.speed, r=speed_ratio)
         bodies[name] = replace(bodies[name], wheel=replace(bodies[name].wheel, speed=n))
-    there = replace(context, bodies=bodies)
+    return replace(context, bodies=bodies)
+
+
+def _under(
+    there: RatingContext,
+    mesh: MeshResult,
+    F: Newton,
+    cycles: Mapping[str, Number | None],
+    like: Loaded | None = None,
+    *,
+    reverses: bool,
+) -> Loaded:
+    driver, driven = mesh.driver, mesh.driven
     with about(Text("mesh {pair}", pair=mesh.title)):
-        F_t = tangential_force_of(F=F, alpha_t=context.train.system.transverse_pressure_angle)
+        F_t = tangential_force_of(F=F, alpha_t=there.train.system.transverse_pressure_angle)
         K_A = factor_of_peak()
-    contact, roots = nominal_stresses(there, mesh, F_t)
+    contact, roots = stresses = nominal_stresses(there, mesh, F_t, None if like is None else like.nominal)
     sides = (
         side(there, driver, roots[driver], cycles[driver], reverses),
         side(there, driven, roots[driven], cycles[driven], reverses),
     )
-    return loaded(there, mesh, Nominal(F_t, contact.sigma_H0, contact.Z_eps), K_A, sides)
+    under = loaded(there, mesh, Nominal(F_t, contact.sigma_H0, contact.Z_eps), K_A, sides, like)
+    return replace(under, nominal=stresses)

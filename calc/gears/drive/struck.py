@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the strikes do to the teeth, what a split gear holds, and all that is judged and said of the drive."""
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -12,9 +13,10 @@ from ...sheet.deferred import Later
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from ...sheet.units import Newton, Number
-from ...sheet.value import about, based_on, trace
+from ...sheet.value import about, based_on, trace, untraced
 from ..inputs import GearsInputs
 from ..rating.load import RatingContext
+from ..rating.solve import Loaded
 from ..result import TrainResult
 from .checks import grade_limits, method_checks, rattle_checks, strength_checks
 from .notes import notes
@@ -27,7 +29,7 @@ from .strength import StrikeRate, strike_rate
 from .strength import struck as under_strike
 from .tables import tables
 
-STRUCK = (IDLE, HARDEST)  # where the teeth are rated under their strikes
+STRUCK = (HARDEST, IDLE)  # where the teeth are rated under their strikes
 ESTIMATES = ("low", "high", "most")
 SMALLER = 0.8  # of the force where it is hardest: at idle, slower, such a force leaves more of every safety
 
@@ -69,55 +71,74 @@ def force_of(at: MeshAt, estimate: str) -> Newton:
     return at.impact_force if estimate == "high" else at.impact_force_most
 
 
+Asked = tuple[str, str]  # a mesh by its key, or a wheel by its name, and an estimate
+Least = dict[Asked, Number]
+
+
 def _safeties(
     context: RatingContext, train: TrainResult, drive: DriveResult, meshes: Mapping[str, MeshOverSpeed]
 ) -> tuple[dict[str, MeshOverSpeed], dict[str, WheelStruck]]:
     """The least safeties of every mesh and wheel under the strikes at idle and where these are hardest."""
-    S_H: dict[str, dict[str, Number]] = {key: {} for key in meshes}
-    S_F: dict[str, dict[str, Number]] = {}
-    for op in STRUCK:
-        if op not in drive.at or (op == HARDEST and drive.at.get(IDLE) == drive.at[HARDEST]):
-            continue
+
+    def struck_at(op: str, asked: Collection[Asked]) -> Iterator[tuple[Asked, Loaded]]:
         n = float(drive.survey.speeds[drive.at[op]])
-        ratio = n / float(drive.drive.work.engine.rated_speed)
-        rate = _rate(train, drive, n)
+        ratio, rate = n / float(drive.drive.work.engine.rated_speed), _rate(train, drive, n)
         for key, mesh in meshes.items():
+            loaded: Loaded | None = None
             for estimate in ESTIMATES:
-                F = force_of(mesh.operations[op], estimate)
-                if op == IDLE and F < SMALLER * force_of(mesh.operations[HARDEST], estimate):
-                    continue
-                with about(Text("mesh {pair}, strikes, {op}", pair=train.meshes[key].title, op=OPERATIONS[op])):
-                    loaded = under_strike(context, key, F, ratio, rate)
-                if loaded is None:
-                    continue
-                if loaded.contact is not None:
-                    _least(S_H[key], estimate, loaded.contact)
-                for wheel, safety in loaded.bending.items():
-                    if safety is not None:
-                        _least(S_F.setdefault(wheel, {}), estimate, safety)
+                if (key, estimate) in asked:
+                    F = force_of(mesh.operations[op], estimate)
+                    with about(Text("mesh {pair}, strikes, {op}", pair=train.meshes[key].title, op=OPERATIONS[op])):
+                        loaded = under_strike(context, key, F, ratio, rate, loaded)
+                    if loaded is not None:
+                        yield (key, estimate), loaded
+
+    S_H, S_F = Least(), Least()
+    every = [(key, estimate) for key in meshes for estimate in ESTIMATES]
+    for asked, loaded in struck_at(HARDEST, every):
+        _taken(S_H, S_F, asked, loaded)
+    if IDLE in drive.at and drive.at[IDLE] != drive.at[HARDEST]:
+        strong = [
+            (key, estimate)
+            for key, estimate in every
+            if force_of(meshes[key].operations[IDLE], estimate)
+            >= SMALLER * force_of(meshes[key].operations[HARDEST], estimate)
+        ]
+        with untraced():
+            at_idle = [
+                asked for asked, loaded in struck_at(IDLE, strong) if _taken(dict(S_H), dict(S_F), asked, loaded)
+            ]
+        if at_idle:  # line by line where they leave less alone
+            for asked, loaded in struck_at(IDLE, at_idle):
+                _taken(S_H, S_F, asked, loaded)
     of_meshes = {
         key: replace(
             mesh,
-            strike_safety_contact_low=S_H[key].get("low"),
-            strike_safety_contact=S_H[key].get("high"),
-            strike_safety_contact_most=S_H[key].get("most"),
+            strike_safety_contact_low=S_H.get((key, "low")),
+            strike_safety_contact=S_H.get((key, "high")),
+            strike_safety_contact_most=S_H.get((key, "most")),
         )
         for key, mesh in meshes.items()
     }
     of_wheels = {
         name: WheelStruck(
-            strike_safety_bending_low=of.get("low"),
-            strike_safety_bending=of.get("high"),
-            strike_safety_bending_most=of.get("most"),
+            strike_safety_bending_low=S_F.get((name, "low")),
+            strike_safety_bending=S_F.get((name, "high")),
+            strike_safety_bending_most=S_F.get((name, "most")),
         )
-        for name, of in S_F.items()
+        for name in dict.fromkeys(name for name, _ in S_F)
     }
     return of_meshes, of_wheels
 
 
-def _least(of: dict[str, Number], estimate: str, safety: Number) -> None:
-    if estimate not in of or safety < of[estimate]:
-        of[estimate] = safety
+def _taken(S_H: Least, S_F: Least, asked: Asked, loaded: Loaded) -> bool:
+    """Whether a load leaves less than all before it; what it leaves is then the least."""
+    key, estimate = asked
+    found = [(S_H, key, loaded.contact), *((S_F, wheel, S) for wheel, S in loaded.bending.items())]
+    less = [(of, name, S) for of, name, S in found if S is not None and S < of.get((name, estimate), math.inf)]
+    for of, name, S in less:
+        of[name, estimate] = S
+    return bool(less)
 
 
 def _rate(train: TrainResult, drive: DriveResult, n: float) -> StrikeRate:

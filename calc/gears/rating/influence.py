@@ -26,7 +26,7 @@ from ..limits import mm
 from ..result import MeshResult, ToothSystem, WheelResult
 from . import distribution as k
 from . import dynamic as v
-from .result import Influence
+from .result import Deviations, Influence
 from .stress import contact_ratio_factor, virtual_teeth
 
 
@@ -47,16 +47,6 @@ class WheelOfPair:
 
 
 Pair = tuple[WheelOfPair, WheelOfPair]  # the wheel with fewer teeth, which is wheel 1 of the standard, and the other
-
-
-@record
-class _Deviations:
-    f_pb: Metre
-    f_falpha: Metre
-    f_ma: Metre
-    f_Hbeta: Metre
-    y_p: Metre
-    y_f: Metre
 
 
 def inner_diameter(root_diameter: Metre, bore: Metre | None, rim: Metre | None) -> Metre:
@@ -98,9 +88,11 @@ def influence(
     f_ma: Metre | None = None,
     C_a: Metre | None = None,
     Z_eps: Number | None = None,
+    like: Influence | None = None,
 ) -> Influence:
     """All factors of a mesh.
 
+    `like`: of the same mesh at the same speed under another load; what no load changes is taken from it.
     `f_ma`: misalignment by manufacture; None: from the grade.  `C_a`: tip relief that is ground; None: none.
 
     K_Hβ is that of the load as it is.  DIN 3990-11 takes at least 100 N/mm for its own form of it; ISO 6336-1 has no
@@ -116,17 +108,20 @@ def influence(
             advice=Text("give a torque"),
         )
     eps_alpha, eps_gamma = mesh.transverse_contact_ratio, mesh.total_contact_ratio
-    with about(name):
-        speed = k.pitch_line_velocity(d=one.pitch_diameter, n=one.speed)
-    dev = _deviations(system, mesh, pair, grade, f_ma, speed)
+    if like is None:
+        with about(name):
+            speed = k.pitch_line_velocity(d=one.pitch_diameter, n=one.speed)
+        dev = _deviations(system, mesh, pair, grade, f_ma, speed)
+    else:
+        speed, dev = like.pitch_line_velocity, like.deviations
     with about(Text("{name}, stiffness", name=name)):
         w = k.line_load(F_t=F_t, K_A=K_A, b=mesh.face_width)
-        c_full = _stiffness(system, name, pair)
+        c_full = _stiffness(system, name, pair) if like is None else like.full_stiffness
         c_one = v.light_load_stiffness(c=c_full, w=w) if w < v.LIGHT else c_full
         c_gamma_alpha = v.mesh_stiffness(c=c_one, eps_alpha=eps_alpha)
         c_gamma_beta = v.face_stiffness(c_gamma_alpha=c_gamma_alpha)
     with about(Text("{name}, dynamic factor", name=name)):
-        m_red = v.reduced_mass(m_1=_mass(pair[0]), m_2=_mass(pair[1]))
+        m_red = v.reduced_mass(m_1=_mass(pair[0]), m_2=_mass(pair[1])) if like is None else like.reduced_mass
         n_E1 = v.resonance_speed(z_1=one.teeth, c_gamma_alpha=c_gamma_alpha, m_red=m_red)
         N = v.resonance_ratio(n_1=one.speed, n_E1=n_E1)
         N_S = v.lower_resonance(w=w) if w < v.LIGHT else 0.85
@@ -170,6 +165,8 @@ def influence(
         resonance_ratio=N,
         resonance_speed=n_E1,
         reduced_mass=m_red,
+        deviations=dev,
+        full_stiffness=c_full,
         single_stiffness=c_one,
         mesh_stiffness=c_gamma_alpha,
         mesh_stiffness_face=c_gamma_beta,
@@ -187,7 +184,7 @@ def influence(
 
 def _deviations(
     system: ToothSystem, mesh: MeshResult, pair: Pair, grade: Number, f_ma: Metre | None, speed: MetrePerSecond
-) -> _Deviations:
+) -> Deviations:
     """Of both wheels the larger; a wheel that is smaller in diameter is never the worse one of the same grade."""
 
     def graded(side: WheelOfPair) -> Text:
@@ -211,7 +208,7 @@ def _deviations(
             _mean_run_in([k.running_in(f, s.kind, s.sigma_Hlim, speed) for s in _unlike(pair)])
             for f in (f_pb, f_falpha)
         )
-    return _Deviations(f_pb, f_falpha, f_ma, max(slopes), y_p, y_f)
+    return Deviations(f_pb, f_falpha, f_ma, max(slopes), y_p, y_f)
 
 
 def _unlike(pair: Pair) -> tuple[WheelOfPair, ...]:

@@ -18,7 +18,7 @@ from ...sheet.value import about
 from ..result import MeshResult, ToothSystem, WheelResult
 from . import strength as iso6336
 from . import stress as s
-from .result import MeshStrength, ToothForm, WheelStrength
+from .result import FlankFilm, MeshStrength, ToothForm, WheelStrength
 from .strength import ContactStrength, RootStrength
 
 S_H_LEAST, S_F_LEAST = 1.0, 1.4  # limits: the lower end of the usual range
@@ -44,16 +44,6 @@ class MeshLoad:
     flank_rz: Metre
     root_rz: Metre
     grade: int
-
-
-@record
-class FlankFilm:
-    """The three factors of the film, of a mesh."""
-
-    Z_L: Number
-    Z_v: Number
-    Z_R: Number
-    rho_red: Metre
 
 
 Row = tuple[str, Described, str]  # id, description and attribute of what is shown of each wheel
@@ -85,18 +75,28 @@ BENDING: tuple[Row, ...] = (
 )
 
 
-def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) -> MeshStrength:
-    """The strength of both wheels of a mesh, each line under the wheel's name."""
+def mesh_strength(
+    driver: WheelStrength, driven: WheelStrength, load: MeshLoad, like: MeshStrength | None = None
+) -> MeshStrength:
+    """The strength of both wheels of a mesh, each line under the wheel's name.
+
+    `like`: of the same mesh at the same speed and lives under another load; what no load changes is taken from it, and
+    the numbers of the wheels are not listed once more."""
     sides, pair = (driver, driven), Text("mesh {name}–{name2}", name=driver.name, name2=driven.name)
     softer = min(driver.strength.sigma_Hlim, driven.strength.sigma_Hlim)
-    with about(Text("{pair}, film", pair=pair)):
-        film = film_factors(softer, load, driver.base_diameter, driven.base_diameter)
+    if like is None:
+        with about(Text("{pair}, film", pair=pair)):
+            film = film_factors(softer, load, driver.base_diameter, driven.base_diameter)
+    else:
+        film = like.film
     contact, bending = {}, {}
-    for wheel, mate in (sides, sides[::-1]):
+    for i, (wheel, mate) in enumerate((sides, sides[::-1])):
+        flank = None if like is None else like.contact[wheel.name]
+        root = None if like is None or like.sides[i].loading != wheel.loading else like.bending[wheel.name]
         with about(Text("flank of {name} in {pair}", name=wheel.name, pair=pair)):
-            contact[wheel.name] = _contact(wheel, mate, load, film)
+            contact[wheel.name] = _contact(wheel, mate, load, film, flank)
         with about(Text("root of {name} in {pair}, strength", name=wheel.name, pair=pair)):
-            bending[wheel.name] = _bending(wheel, load)
+            bending[wheel.name] = _bending(wheel, load, root)
     with about(pair):
         S_H = min((c.S_H for c in contact.values() if c.S_H is not None), default=None)
         on_load = None if S_H is None else iso6336.contact_safety_on_load(S_H=S_H)
@@ -106,10 +106,11 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
         lubricant_factor=film.Z_L,
         velocity_factor=film.Z_v,
         roughness_factor=film.Z_R,
-        wheels=_stated(contact, bending),
+        wheels=_stated(contact, bending) if like is None else {},
         sides=sides,
         contact=contact,
         bending=bending,
+        film=film,
     )
 
 
@@ -137,8 +138,14 @@ def single_pair(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad) -> Nu
     return iso6336.single_pair_factor(iso6336.curvature_ratio(load.alpha_wt, t, t_m), load.eps_beta)
 
 
-def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: FlankFilm) -> ContactStrength:
+def _contact(
+    wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: FlankFilm, like: ContactStrength | None
+) -> ContactStrength:
     """Stress and strength of one flank."""
+    if like is not None:
+        sigma_H = iso6336.contact_stress_of_wheel(like.Z_BD, load.sigma_H0, load.K_H)
+        S_H = iso6336.contact_safety(like.sigma_HG, sigma_H) if sigma_H else None
+        return replace(like, sigma_H=sigma_H, S_H=S_H)
     of, Rz = wheel.strength, load.flank_rz
     Z_BD, u = single_pair(wheel, mate, load), wheel.teeth / mate.teeth
     Z_W = iso6336.work_hardening(of, mate.strength, Rz, Rz, film.rho_red, load.v, load.nu_40, u)
@@ -150,8 +157,12 @@ def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: Fl
     return ContactStrength(Z_BD, Z_NT, Z_W, sigma_H, sigma_HG, sigma_HP, S_H)
 
 
-def _bending(wheel: WheelStrength, load: MeshLoad) -> RootStrength:
+def _bending(wheel: WheelStrength, load: MeshLoad, like: RootStrength | None) -> RootStrength:
     """Stress and strength of one root."""
+    if like is not None:
+        sigma_F = iso6336.root_stress_of_wheel(wheel.sigma_F0, like.Y_B, like.Y_DT, load.K_F)
+        S_F = iso6336.bending_safety(like.sigma_FG, sigma_F) if sigma_F else None
+        return replace(like, sigma_F=sigma_F, S_F=S_F)
     of, rho = wheel.strength, wheel.strength.slip_layer
     Y_B = iso6336.rim_factor(wheel.name, wheel.tooth_depth, wheel.rim)
     Y_DT = iso6336.deep_tooth_factor(load.grade, load.eps_alphan)
@@ -201,6 +212,7 @@ class Contact:
     Z_H: Number
     Z_eps: Number
     Z_beta: Number
+    E_c: Pascal
     sigma_H0: Pascal
 
 
@@ -211,6 +223,7 @@ class Root:
     form: ToothForm
     sigma_F0: Pascal
     Y_beta: Number
+    f_eps: Number  # of the edition of 2019, else 1
 
 
 @record
@@ -231,28 +244,40 @@ def nominal_contact(
     driven: WheelResult,
     F_t: Newton,
     materials: Mapping[str, Material],
+    like: Contact | None = None,
 ) -> Contact:
+    """`like`: that of another force."""
     small, large = (driver, driven) if driver.teeth <= driven.teeth else (driven, driver)
-    one, two = materials[small.material], materials[large.material]
-    Z_H = s.zone_factor(system.base_helix_angle, mesh.working_pressure_angle, system.transverse_pressure_angle)
-    Z_eps = s.contact_ratio_factor(mesh.transverse_contact_ratio, mesh.overlap_ratio)
-    Z_beta = s.helix_factor_contact(system.beta)
-    E_c, u = s.contact_modulus(one.poisson, one.E, two.poisson, two.E), large.teeth / small.teeth
-    return Contact(
-        Z_H, Z_eps, Z_beta, s.contact_stress(Z_H, E_c, Z_eps, Z_beta, F_t, small.pitch_diameter, mesh.face_width, u)
-    )
+    if like is None:
+        one, two = materials[small.material], materials[large.material]
+        Z_H = s.zone_factor(system.base_helix_angle, mesh.working_pressure_angle, system.transverse_pressure_angle)
+        Z_eps = s.contact_ratio_factor(mesh.transverse_contact_ratio, mesh.overlap_ratio)
+        Z_beta = s.helix_factor_contact(system.beta)
+        E_c = s.contact_modulus(one.poisson, one.E, two.poisson, two.E)
+    else:
+        Z_H, Z_eps, Z_beta, E_c = like.Z_H, like.Z_eps, like.Z_beta, like.E_c
+    d, b, u = small.pitch_diameter, mesh.face_width, large.teeth / small.teeth
+    return Contact(Z_H, Z_eps, Z_beta, E_c, s.contact_stress(Z_H, E_c, Z_eps, Z_beta, F_t, d, b, u))
 
 
-def nominal_root(system: ToothSystem, mesh: MeshResult, wheel: WheelResult, F_t: Newton, edition: int) -> Root:
-    form = tooth_form(system, wheel, mesh.transverse_contact_ratio)
-    b, eps_beta = mesh.face_width, mesh.overlap_ratio
+def nominal_root(
+    system: ToothSystem, mesh: MeshResult, wheel: WheelResult, F_t: Newton, edition: int, like: Root | None = None
+) -> Root:
+    """`like`: that of another force."""
+    b, eps_beta, f_eps = mesh.face_width, mesh.overlap_ratio, 1.0
+    if like is not None:
+        form, Y_beta, f_eps = like.form, like.Y_beta, like.f_eps
+    else:
+        form = tooth_form(system, wheel, mesh.transverse_contact_ratio)
+        if edition < 2019:
+            Y_beta = s.helix_factor_root(eps_beta, system.beta)
+        else:
+            eps_alphan = s.virtual_contact_ratio(mesh.transverse_contact_ratio, system.base_helix_angle)
+            f_eps = (s.load_distribution if eps_alphan < 2 else s.load_distribution_high)(eps_beta, eps_alphan)
+            Y_beta = s.helix_factor_root_2019(eps_beta, system.beta)
     if edition < 2019:
-        Y_beta = s.helix_factor_root(eps_beta, system.beta)
-        return Root(form, s.root_stress(F_t, b, system.m_n, form.Y_F, form.Y_S, Y_beta), Y_beta)
-    eps_alphan = s.virtual_contact_ratio(mesh.transverse_contact_ratio, system.base_helix_angle)
-    f_eps = (s.load_distribution if eps_alphan < 2 else s.load_distribution_high)(eps_beta, eps_alphan)
-    Y_beta = s.helix_factor_root_2019(eps_beta, system.beta)
-    return Root(form, s.root_stress_2019(F_t, b, system.m_n, form.Y_F, f_eps, form.Y_S, Y_beta), Y_beta)
+        return Root(form, s.root_stress(F_t, b, system.m_n, form.Y_F, form.Y_S, Y_beta), Y_beta, f_eps)
+    return Root(form, s.root_stress_2019(F_t, b, system.m_n, form.Y_F, f_eps, form.Y_S, Y_beta), Y_beta, f_eps)
 
 
 def tooth_form(system: ToothSystem, wheel: WheelResult, eps_alpha: Number) -> ToothForm:

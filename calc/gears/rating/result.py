@@ -32,6 +32,18 @@ class ToothForm:
     q_s: Number
 
 
+@record
+class Deviations:
+    """Of both wheels of a mesh the larger; y_p, y_f: what running in takes of f_pb and f_fα."""
+
+    f_pb: Metre
+    f_falpha: Metre
+    f_ma: Metre
+    f_Hbeta: Metre
+    y_p: Metre
+    y_f: Metre
+
+
 @result
 class Influence:
     """How much more than the nominal load the teeth of a mesh carry, and what that follows from."""
@@ -63,10 +75,22 @@ class Influence:
     manufacturing_misalignment: Metre = value("Mesh misalignment by manufacture", "µm", "f_ma")
     effective_misalignment: Metre = value("Misalignment after running in", "µm", "F_βy")
     reduced_mass: KilogramPerMetre  # m_red
+    deviations: Deviations
+    full_stiffness: Pascal  # c' from 100 N/mm on
     speed_range: Text
     lower_resonance: Number  # N_S, where the main resonance begins
     out_of_range: tuple[Text, ...]  # sizes without a tolerance in ISO 1328-1
     misalignment_given: bool
+
+
+@record
+class FlankFilm:
+    """The three factors of the film, of a mesh."""
+
+    Z_L: Number
+    Z_v: Number
+    Z_R: Number
+    rho_red: Metre
 
 
 @record
@@ -105,6 +129,7 @@ class MeshStrength:
     sides: tuple[WheelStrength, WheelStrength]
     contact: dict[str, ContactStrength]  # by wheel
     bending: dict[str, RootStrength]
+    film: FlankFilm
 
     @property
     def pair(self) -> str:

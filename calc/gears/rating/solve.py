@@ -122,8 +122,10 @@ def _if_uneven(
             driver, driven = rating.strength.sides
             if load[key].worst_reverses:
                 driver, driven = (replace(of, loading=loading_of(0, 0, reverses=True)) for of in (driver, driven))
+            assert rating.influence is not None  # as the strength
             of_mesh, K_A = context.train.meshes[key], load[key].at_worst
-            worst[key] = loaded(context, of_mesh, _nominal_of(rating), K_A, (driver, driven)).strength
+            like = Loaded(rating.influence, 1.0, 1.0, rating.strength, context)
+            worst[key] = loaded(context, of_mesh, _nominal_of(rating), K_A, (driver, driven), like).strength
     return worst
 
 
@@ -139,6 +141,9 @@ class Nominal:
     Z_eps: Number
 
 
+Stresses = tuple[nominal.Contact, dict[str, nominal.Root]]  # nominal ones
+
+
 @record
 class Loaded:
     """A mesh under a force: its influence factors, K_H, K_F, and what they leave of its strength."""
@@ -147,6 +152,8 @@ class Loaded:
     K_H: Number
     K_F: Number
     strength: MeshStrength
+    at: RatingContext  # with the speed of its wheels
+    nominal: Stresses | None = None
 
     @property
     def contact(self) -> Number | None:
@@ -163,19 +170,20 @@ def _nominal_of(rating: MeshRating) -> Nominal:
     return Nominal(rating.tangential_force, rating.contact_stress, rating.contact_ratio_factor)
 
 
-def nominal_stresses(
-    context: RatingContext, mesh: MeshResult, F_t: Newton
-) -> tuple[nominal.Contact, dict[str, nominal.Root]]:
-    """Stresses of a tangential force, K = 1: of the contact, and of the root of each wheel."""
+def nominal_stresses(context: RatingContext, mesh: MeshResult, F_t: Newton, like: Stresses | None = None) -> Stresses:
+    """Stresses of a tangential force, K = 1: of the contact, and of the root of each wheel.  `like`: those of another
+    force."""
     train, system = context.train, context.train.system
     driver, driven = wheels = train.wheels[mesh.driver], train.wheels[mesh.driven]
     pair = Text("mesh {pair}", pair=mesh.title)
     with about(pair):
-        contact = nominal.nominal_contact(system, mesh, driver, driven, F_t, context.materials)
+        same = None if like is None else like[0]
+        contact = nominal.nominal_contact(system, mesh, driver, driven, F_t, context.materials, same)
     roots = dict[str, nominal.Root]()
     for wheel in wheels:
         with about(Text("root of {name} in {name2}", name=wheel.name, name2=pair)):
-            roots[wheel.name] = nominal.nominal_root(system, mesh, wheel, F_t, context.gears.iso_6336_edition)
+            of, edition = None if like is None else like[1][wheel.name], context.gears.iso_6336_edition
+            roots[wheel.name] = nominal.nominal_root(system, mesh, wheel, F_t, edition, of)
     return contact, roots
 
 
@@ -273,9 +281,12 @@ def loaded(
     under: Nominal,
     K_A: Number,
     sides: tuple[WheelStrength, WheelStrength],
+    like: Loaded | None = None,
 ) -> Loaded:
     """Influence factors and strength of a mesh by its nominal stresses and an application factor, at the speed of the
-    wheels in the context."""
+    wheels in the context.
+
+    `like`: the same mesh at the same speed and lives under another load; what no load changes is taken from it."""
     gears, system = context.gears, context.train.system
     given = next(m for m in gears.meshes if (m.driver, m.driven) == (mesh.driver, mesh.driven))
     K = influence(
@@ -290,6 +301,7 @@ def loaded(
         f_ma=given.mesh_misalignment,
         C_a=gears.tip_relief,
         Z_eps=under.Z_eps,
+        like=None if like is None else like.influence,
     )
     with about(Text("mesh {pair}", pair=mesh.title)):
         K_H = contact_load_factor(K_A, K.dynamic_factor, K.face_load_factor_flank, K.transverse_load_factor_flank)
@@ -310,7 +322,7 @@ def loaded(
         gears.root_rz,
         gears.accuracy_grade,
     )
-    return Loaded(K, K_H, K_F, mesh_strength(*sides, load))
+    return Loaded(K, K_H, K_F, mesh_strength(*sides, load, None if like is None else like.strength), context)
 
 
 def contact_cycles(context: RatingContext, name: str, speed_ratio: Number = 1.0) -> Number | None:
