@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The guided session: one screen over one `Session`.  Only what the first picture needs is imported here."""
 
+import gc
 import os
 import signal
 import sys
@@ -305,6 +306,9 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     """Open a design, or the start page; gives the exit code."""
     # between two of the twenty turns that a key takes, the thread that solves has no more than that
     sys.setswitchinterval(0.0002)
+    # a look through all that there is, for what refers to itself, stops both threads for a tenth of a second
+    gc.freeze()
+    gc.set_threshold(10_000, 20, 100)
     _read_alt_digits()
     memory = Memory()
     missing = path.expanduser().absolute() if path is not None and not memory.there(path.expanduser()) else None

@@ -193,6 +193,11 @@ class Workbench(WorkbenchEdits):
         event.stop()
         self.want_slopes(event.check)
 
+    @on(Checks.WantWays)
+    def ways_wanted(self, event: Checks.WantWays) -> None:
+        event.stop()
+        self.want_ways(event.check)
+
     @on(CurvePane.Turned)
     def curve_turned(self, event: CurvePane.Turned) -> None:
         event.stop()

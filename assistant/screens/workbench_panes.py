@@ -171,8 +171,8 @@ class WorkbenchPanes(Screen[None]):
 
     def after_paint(self, do: Callable[[], object]) -> None:
         """What has just been shown is painted first; below a dialog nothing is."""
-        if self.is_current:
-            self.call_after_refresh(do)
+        if self.is_current:  # the screen knows of a widget that has changed once that has been idle
+            self.checks.call_after_refresh(self.call_after_refresh, do)
         else:
             do()
 

@@ -18,6 +18,7 @@ from calc.locale import Language
 from calc.locale.language import said
 from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import Cancelled
+from calc.sheet.progress import waited_for
 from calc.sheet.step import OF_SHAFTS, Curve, Outcome, Step, Table
 from calc.sheet.text import EMPTY, Name, Text
 from calc.sheet.verdict import findings_of, open_findings
@@ -345,7 +346,8 @@ class WorkbenchResults(WorkbenchPanes):
                 raise Cancelled
 
         try:
-            nearest = remedy(document, step, results, progress)
+            with waited_for(lambda: progress(0.0, "")):
+                nearest = remedy(document, step, results, progress)
         except Cancelled:
             self.call_later(self._stopped_seeking, step, results)
             return
@@ -371,6 +373,19 @@ class WorkbenchResults(WorkbenchPanes):
             self.checks.show_slopes(check.id, known)
         else:
             self._seek_slopes("check", check.id)
+
+    def want_ways(self, check: Check) -> None:
+        """Look for what would help a check, and show it with the findings."""
+        self.when_quiet("ways", partial(self.in_thread, "ways", partial(self._make_ways, check)))
+
+    def _make_ways(self, check: Check) -> None:
+        """Runs in another thread."""
+        tuple(check.remedies)
+        self.call_later(self._made_ways)
+
+    def _made_ways(self) -> None:
+        if self.stands:
+            self.checks.rebuild()
 
     def _moved_by(self, key: str) -> Text:
         """What an input moves most, "film at the edge, front +0.45 µm per mm"; where it is not known it is looked for,

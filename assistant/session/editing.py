@@ -486,8 +486,9 @@ class Editing:
             return
         self.document = replace(self.document, data=data)
         self.generation += 1
+        document = replace(self.document, former=None)  # fields go by their keys of today
         try:
-            self.design = design(replace(self.document, former=None))  # fields go by their keys of today
+            self.design = design(document, None if self.blank else (replace(document, data=self._valid), self.design))
             self.errors = ()
             self.blank = False
             self._valid = data

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from calc.design.model import Design
 from calc.sheet.errors import Cancelled
+from calc.sheet.progress import waited_for
 from calc.sheet.text import EMPTY, Text
 
 from ..output import kept
@@ -50,7 +51,12 @@ def run(job: Job) -> Answer:
     try:
         from calc.solve import solve
 
-        results = solve(job.design, job.before, job.stop)
+        def go_on() -> None:
+            if job.stop():
+                raise Cancelled
+
+        with waited_for(go_on):
+            results = solve(job.design, job.before, job.stop)
         results.values()  # gathered here, so that the screen need not wait for it
     except Cancelled:
         return Answer(job.generation, None, 0.0)

@@ -15,6 +15,7 @@ from textual.message import Message
 
 from calc.design.key_results import judged, outside
 from calc.sheet.check import Check
+from calc.sheet.deferred import Later
 from calc.sheet.number import short
 from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, EMPTY, Amount, Name, Text, plural
@@ -89,15 +90,19 @@ class Checks(ItemList):
     ]
 
     @dataclass
-    class WantSlopes(Message):
-        """It should be said how far the inputs move this check."""
-
+    class Wants(Message):
         source: "Checks"
         check: Check
 
         @property
         def control(self) -> "Checks":
             return self.source
+
+    class WantSlopes(Wants):
+        """It should be said how far the inputs move this check."""
+
+    class WantWays(Wants):
+        """It should be looked for what would help it."""
 
     def __init__(self) -> None:
         super().__init__(id="checks-list")
@@ -204,8 +209,12 @@ class Checks(ItemList):
 
     def rebuild(self) -> None:
         super().rebuild()
-        if (check := self.check) is not None and check.moved_by and check.id not in self.slopes:
+        if (check := self.check) is None:
+            return
+        if check.moved_by and check.id not in self.slopes:
             self.post_message(self.WantSlopes(self, check))
+        if check.open and check.waits and not self.brief:
+            self.post_message(self.WantWays(self, check))
 
     # --- content
     def _rows_of(self) -> list[CheckRow]:
@@ -401,7 +410,9 @@ class Checks(ItemList):
         def tell(words: str, style: str = "") -> None:
             rows.extend(Content.styled(indent + row, style) for row in wrap(worded(words, say), room) if row)
 
-        advice = say(check.to_do).removeprefix(say(check.ways_text())).strip()
+        advice = say(check.advice)
+        if not isinstance(check.remedies, Later):
+            advice = advice.removeprefix(say(check.ways_text())).strip()
         if self.brief:  # what comes next is no more than a key away
             if not (self.offered and check.verdict == "fail"):
                 tell(advice or say(check.lack_text(self._label)))
@@ -412,7 +423,9 @@ class Checks(ItemList):
             tell(say(lack))
         if advice:
             tell(advice)
-        if check.open and check.remedies:
+        if check.open and check.waits:
+            tell(say(Text("Looking for what would help …")), "dim")
+        elif check.open and check.remedies:
             ways = Name("; ").join(remedy.words for remedy in check.remedies)
             tell(say(Text("for this check alone: {ways}", ways=ways)))
         if check.open and check.kind == "caution":

@@ -162,8 +162,8 @@ class MessageLine(Widget):
             "limit": check.limit_text(),
         }
         text = Text("{check} {value}, {needs} {limit}", **parts)
-        brief = brief or not check.to_do
-        text = text if brief else Text("{check}. {advice}", check=text, advice=check.to_do)
+        advice = check.advice if check.waits else check.to_do
+        text = text if brief or not advice else Text("{check}. {advice}", check=text, advice=advice)
         return worded(self.app.say(text), self.app.say)
 
     def offer(self, width: int = 1000) -> str:

@@ -492,6 +492,11 @@ class Check:
             return self.advice
         return SPACE.join(filter(None, (self.ways_text(), self.advice)))
 
+    @property
+    def waits(self) -> bool:
+        """Whether its remedies are not made yet, which may take a while."""
+        return isinstance(self.remedies, Later) and not self.remedies.is_made
+
     def ends_text(self) -> Text:
         """How far the value goes with all that is not given."""
         return Text(

@@ -28,6 +28,10 @@ class Later(Sequence[T]):
         except (NoSolution, ArithmeticError, ValueError):
             return ()
 
+    @property
+    def is_made(self) -> bool:
+        return "made" in vars(self)
+
     def __iter__(self) -> Iterator[T]:
         return iter(self.made)
 

@@ -3,11 +3,32 @@
 and then."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 
 from .errors import Cancelled
 
 Progress = Callable[[float, str], None]  # share done, from 0 to 1, and what is being looked at
+
+
+# who waits for what this thread computes; inside long loops it is asked, without knowing how far they are
+_waiting: ContextVar[Callable[[], object]] = ContextVar("waiting", default=bool)
+
+
+@contextmanager
+def waited_for(by: Callable[[], object]) -> Iterator[None]:
+    """Inside, `by` is asked by `go_on`; it may raise `Cancelled`."""
+    token = _waiting.set(by)
+    try:
+        yield
+    finally:
+        _waiting.reset(token)
+
+
+def go_on() -> None:
+    """Ask, in a loop that takes long, whether anybody still waits."""
+    _waiting.get()()
 
 
 def tell(progress: Progress | None, share: float, what: str) -> None:

@@ -84,7 +84,8 @@ class ShippedEngine:
     bearings: tuple[str, ...]
 
 
-def engines() -> dict[str, ShippedEngine]:
+@cache
+def engines() -> "Mapping[str, ShippedEngine]":
     """The shipped engines by their id, the example first."""
     return {
         name: ShippedEngine(

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 from ...design.model import IN_SENTENCES
 from ...design.toml_file import Document
-from ...sheet.errors import BadInput
+from ...sheet.errors import BadInput, NoSolution
 from ...sheet.text import COMMA, EMPTY, Text
 from ...solve import Results
 from .classes import without_proof
@@ -32,6 +32,8 @@ def unable(document: Document, results: Results, overrides: Mapping[str, object]
         asked_for = asked_of(document, results, overrides)
     except BadInput as bad:
         return Text("The whole drive can not be searched: {why}.", why=bad.errors[0].reason)
+    except NoSolution as none:
+        return Text("The whole drive can not be searched: {why}.", why=none.text)
     if (why := may(asked_for)) is not None:
         return Text("The whole drive can not be searched: {why}.", why=why)
     if not installed() and without_proof(asked_for) is not None:

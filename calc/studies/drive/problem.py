@@ -789,7 +789,7 @@ def _sized(design: Design) -> tuple[Changes, list[Text]]:
 
 def _clearances(design: Design, keys: DriveKeys) -> tuple[Changes, Text]:
     """Clearances as numbers in place of limits and classes of parts, with tolerances as wide; and in words."""
-    found = solve(design).result(BearingsResult)
+    found = solve(design).view(design.originals[0]).result(BearingsResult)
     if found is None:
         raise NoSolution(
             Text("the bearings"), EMPTY, Text("a design whose bearings are solved, to begin the search at")

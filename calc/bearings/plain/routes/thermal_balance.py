@@ -17,6 +17,7 @@ from ....library.lubricant import OilState
 from ....sheet.arrays import Array, IndexArray, Num
 from ....sheet.errors import NoSolution, text_of
 from ....sheet.functions import root
+from ....sheet.progress import go_on
 from ....sheet.text import Amount, Text
 from ....sheet.value import converged, recorder, unlinked, untraced
 from .. import formulas as f
@@ -173,6 +174,7 @@ def settled(
         return route(*asked, rise)
 
     def excess(rise: Array, some: IndexArray) -> Array:
+        go_on()
         return np.asarray(film_at(rise, some).temperature_rise - rise)
 
     low, high = np.zeros(every.size), np.full(every.size, hottest)
