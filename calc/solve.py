@@ -78,6 +78,7 @@ class Results:
     recorded: bool = True  # whether the lines were recorded with the numbers
     viewed: "Results | None" = field(default=None, repr=False)  # those of all shafts, where one of several is in view
     _values: dict[str, Published] = field(default_factory=dict, repr=False)  # as soon as somebody has asked for them
+    _of_field: dict[object, list[Published]] = field(default_factory=dict, repr=False)  # the same by what declares them
 
     def __str__(self) -> str:
         """A line for each step with the value that stands for it, and the limits that fail; an outcome prints all of
@@ -137,12 +138,16 @@ class Results:
         of = next(shaft.of or name for shaft in self.design.resolved if shaft.name == name)
         outcomes = self.outcomes | self.of_shafts[of] | self.of_shafts.get(name, {})
         design = self.design.with_bearings_of(name) if name != of and name in self.of_shafts else self.design.views[of]
-        return replace(self, design=design, outcomes=outcomes, of_shafts={}, viewed=self, _values={})
+        return replace(self, design=design, outcomes=outcomes, of_shafts={}, viewed=self, _values={}, _of_field={})
 
     def values_of(self, field: object) -> list[Published]:
         """The values of one declared field, `results.values_of(PlainResult.film_edge)`: of each part that has one."""
         assert isinstance(field, ValueKey), field
-        return [v for id, v in self.values().items() if v.about is field.about and v.id == id]  # not by a former name
+        if not self._of_field:
+            for id, v in self.values().items():
+                if v.id == id:  # not by a former name
+                    self._of_field.setdefault(v.about, []).append(v)
+        return self._of_field.get(field.about, [])
 
     def value(self, field: object) -> Published | None:
         """The first of them; None where this design has none."""

@@ -109,6 +109,7 @@ def _sentence(id: str, places: tuple[Place, ...]) -> str:
     return f"Still of {engines()[id].name}: {labels}. Their source: {sources}."
 
 
+@cache
 def _label(id: str, place: Place) -> str:
     return str(label_of({ENGINE: _table(id)}, ".".join(map(str, place))))
 
