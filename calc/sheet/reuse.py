@@ -8,6 +8,7 @@ from typing import Never, ParamSpec, TypeVar, cast
 import numpy as np
 
 from .errors import Cancelled, NoSolution
+from .progress import go_on
 from .step import Outcome, beside, joined
 from .text import EMPTY, Text
 
@@ -54,6 +55,7 @@ class Parts:
     def __call__(self, key: str, function: Callable[P, Outcome[R]], /, *args: P.args, **kwargs: P.kwargs) -> Outcome[R]:
         """The outcome of a part of the step `key`; where it finds no solution, or its arithmetic breaks down, an
         outcome that says so."""
+        go_on()
         if self.stop():
             raise Cancelled
         name, arguments = f"{key}.{self.name}.{function.__name__}", (*args, *kwargs.values())

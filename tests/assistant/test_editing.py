@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Changes of more than a field: elements of arrays, steps that are built, locks, and changes by key."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from assistant.session.recovery import Memory
 from assistant.session.session import EXAMPLE, Session
+from calc.design.toml_file import design
 
 
 def test_elements_are_added_and_removed(session: Session) -> None:
@@ -84,3 +86,14 @@ def test_what_was_built_for_an_earlier_design_is_not_taken(session: Session) -> 
     before = session.data
     assert not plan.why and "changed meanwhile" in session.take(plan)
     assert session.data is before
+
+
+def test_an_edit_reads_again_what_it_has_changed_alone(session: Session) -> None:
+    before = session.design
+    session.edit("engine.bore_mm", "95")
+    assert session.valid and session.design.engine != before.engine
+    assert session.design.gears is before.gears and session.design.shafts[0] is before.shafts[0]
+    session.edit("gears.helix_angle_deg", "200")  # not allowed, and what stands is what was valid last
+    assert not session.valid and session.design.engine.bore == 0.095
+    session.edit("gears.helix_angle_deg", "15")
+    assert session.design == design(replace(session.document, former=None))

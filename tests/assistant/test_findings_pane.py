@@ -5,6 +5,7 @@ import math
 from dataclasses import replace
 
 import pytest
+import tomli_w
 
 from assistant.screens.ready import Closing, _joined
 from assistant.session.calculation import _slope, _step, slopes_of_check, slopes_of_input
@@ -15,6 +16,7 @@ from assistant.widgets.lines import MessageLine
 from assistant.widgets.signs import Signs
 from assistant.widgets.steps import READY, Steps
 from assistant.widgets.text import bar
+from calc.design.toml_file import read
 from calc.sheet.check import Check
 from calc.sheet.text import Text
 from calc.sheet.verdict import findings_of, open_findings
@@ -22,6 +24,7 @@ from calc.studies.explain import effects, moved_by
 from calc.studies.headlines import lead
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import settled, strike, until, work
+from tests.conftest import DESIGNS
 from tests.made_checks import made_check
 
 EDGE = "bearings.front.film_edge"
@@ -246,3 +249,27 @@ def test_a_slope_is_told_for_the_step_by_which_one_goes_on() -> None:
     assert str(moved) == "clearance −0.5 µm per 10 µm"
     assert str(_slope(Text("film"), 2e-4, "µm", (0.5, "K"))) == "film +0.01 µm per 50 K"
     assert str(_slope(Text("oil"), 0.7, "°C", (1.0, "K"))) == "oil +0.7 K per K"
+
+
+async def test_nobody_waits_for_remedies_that_take_long(screen: Screen, session: Session) -> None:
+    """The line below the panes goes without them; beside the finding they follow once it is looked at."""
+    document = read(DESIGNS / "r753ie4_drive_over_speed.toml").with_value("engine.flywheel_inertia_kgm2", 0.3)
+    assert session.path is not None
+    session.path.write_text(tomli_w.dumps(document.data), encoding="utf-8")
+    light = Session.open(session.path, memory=session.memory)
+    async with screen(session=light) as pilot:
+        await solved(pilot)
+        assert light.results is not None
+        rattle = light.results.check("gears.crank_central.rattle")
+        assert rattle is not None and rattle.open
+        await strike(pilot, "escape", "5")
+        await settled(pilot)
+        assert rattle.waits
+        await strike(pilot, "f7")
+        checks = work(pilot).query_one(Checks)
+        for _ in range(20):
+            if checks.key == rattle.id:
+                break
+            await strike(pilot, "down")
+        await until(pilot, lambda: not rattle.waits)
+        await until(pilot, lambda: "for this check alone" in rows(checks)[rattle.id])

@@ -65,13 +65,12 @@ class RepairState:
         changes: Mapping[str, object],
         known: Results | None = None,
         enough: Callable[[Outcome[object]], bool] | None = None,
-        stop: Callable[[], bool] = bool,
     ) -> "RepairState":
         """The same with keys changed, solved whole but for what judges nothing.  Raises BadInput where they are not
         allowed, or locked.
 
         `known`: results of a design that is nearer to it, or of itself, whole or not.  `enough` ends the solution
-        early, and `stop` is asked, as in `solve`."""
+        early, as in `solve`."""
         document, merged = self.document, dict(self.changes)
         for key, value in changes.items():
             if value == value_at(document.data, key):
@@ -86,7 +85,7 @@ class RepairState:
         if known is not None and there:
             return RepairState(document, known, merged)
         with recorded(False):
-            results = solve(wanted, known or self.results, stop, enough, compared=False)
+            results = solve(wanted, known or self.results, enough=enough, compared=False)
         return RepairState(document, results, merged)
 
 

@@ -57,12 +57,12 @@ class Trials:
         if changes is None or ((name, False) not in self._known and not self.budget.spend()):
             return None
         if (name, whole) not in self._known:
-            self._going_on()
+            tell(self.progress, 1 - 0.9 ** len(self._known), self.name)
             self._ended = False
             begun = self._known.get((name, False))
             try:
                 after = self.state.with_changes(
-                    changes, begun.results if begun else None, None if whole else self._decided, self._going_on
+                    changes, begun.results if begun else None, None if whole else self._decided
                 )
             except (BadInput, NoSolution):
                 after = None
@@ -70,11 +70,6 @@ class Trials:
             if not self._ended:
                 self._known[name, True] = after
         return self._known[name, whole]
-
-    def _going_on(self) -> bool:
-        """Tell the progress, which may cancel the search, between the parts of a solve as well."""
-        tell(self.progress, 1 - 0.9 ** len(self._known), self.name)
-        return False
 
     def _decided(self, outcome: Outcome[object]) -> bool:
         """Whether all of the checks are known, or that there is no solution; those of the imbalance change once the
