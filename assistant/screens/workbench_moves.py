@@ -441,8 +441,9 @@ class WorkbenchMoves(WorkbenchResults):
             )
             text = self.app.say(reading.value if reading is not None and what == "value" else line)
         else:
-            place = self.form.here() or self.form.last
-            if place is not None and (place[-1] is not None) and self.session.text(place):
+            field = self.form.field
+            place = field.place if field is not None else None if self.form.here() else self.form.last
+            if place is not None and place[-1] is not None and self.session.text(place):
                 about = self.session.about(place)
                 value = f"{self.session.text(place)} {about.unit}".rstrip()
                 text = value if what == "value" else f"{about.label} {value}"

@@ -11,7 +11,7 @@ from assistant.session.session import Session
 from assistant.widgets.checks import Checks
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field
-from assistant.widgets.headings import ArrayHeading
+from assistant.widgets.headings import ArrayHeading, Fold
 from assistant.widgets.rows import ALL
 from calc.design.addresses import address, asks, quantities, step_at
 from calc.design.model import STEPS
@@ -388,3 +388,13 @@ async def test_enter_passes_over_what_says_nothing_of_a_kind(screen: Screen) -> 
             places.append(form.field.place if form.field is not None else None)
         place = work(pilot).session.place
         assert len({*places}) == 4 and place("shafts.shaft.bearings.front.size") in places
+
+
+async def test_a_fold_has_nothing_to_copy(screen: Screen) -> None:
+    """It stands at no place of the design."""
+    async with screen() as pilot:
+        fold = work(pilot).form.query(Fold).first()
+        fold.focus()
+        await pilot.pause()
+        await strike(pilot, "y")
+        assert "nothing to copy" in told(pilot)
