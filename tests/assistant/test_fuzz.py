@@ -23,6 +23,7 @@ from assistant.screens.workbench import Workbench
 from assistant.session.recovery import Memory
 from assistant.session.saving import SaveError
 from assistant.session.session import Session
+from calc.design import replay
 from calc.design.toml_file import load
 from tests.assistant.conftest import solved
 from tests.assistant.driving import CHARACTERS, settled, strike, until
@@ -152,8 +153,8 @@ async def fuzz(path: Path, memory: Memory, seed: int, count: int) -> None:
     except BaseException:
         print(f"seed {seed}, after {len(done)} events: {done[-40:]}")
         raise
-    for file in path.parent.glob("*.toml"):
-        load(file)
+    for file in path.parent.glob("*.toml"):  # what was saved, and what was recorded
+        (replay.load if "[[step]]" in file.read_text(encoding="utf-8") else load)(file)
     load(path)
 
 
