@@ -56,7 +56,7 @@ def run(job: Job) -> Answer:
                 raise Cancelled
 
         with waited_for(go_on):
-            results = solve(job.design, job.before, job.stop)
+            results = solve(job.design, job.before)  # which asks between its parts
         results.values()  # gathered here, so that the screen need not wait for it
     except Cancelled:
         return Answer(job.generation, None, 0.0)
