@@ -11,12 +11,11 @@ The letters in an id stand for elements that have names of their own."""
 import math
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import replace
-from functools import cached_property
-from typing import Any, Literal
+from functools import cached_property, lru_cache
+from typing import Literal
 
 from .deferred import Later, Many
-from .record import record
+from .record import record, replace
 from .remedy import Remedy, sentence
 from .text import COMMA, EMPTY, SEMICOLON, SPACE, Amount, Name, Small, Text
 from .units import UNITS
@@ -44,7 +43,22 @@ INDEX = "#"  # in the key of an input: the place of a mesh in its array
 LETTER = re.compile(rf"(?<![^.])(?:[{''.join(LETTERS)}{INDEX}]|DRIVER|DRIVEN)(?![^.])|(?<=_)[BW](?![^_.])")
 
 
-def _filled(id: str, names: Mapping[str, str]) -> str:
+Elements = tuple[tuple[str, str], ...]  # letter and name
+
+
+# both once only: a solve asks some two thousand times, and the next one the same
+@lru_cache(2**14)
+def _elements(id: str, at: tuple[str, ...], index: int | None) -> Elements:
+    """What the letters of an id stand for, in their order."""
+    names = dict(zip(LETTER.findall(id), at, strict=True))
+    if "M" in names:
+        names["DRIVER"], names["DRIVEN"] = names["M"].split("_")
+    return (*names.items(), *(() if index is None else ((INDEX, str(index)),)))
+
+
+@lru_cache(2**14)
+def _filled(id: str, elements: Elements) -> str:
+    names = dict(elements)
     return LETTER.sub(lambda letter: names.get(letter[0], letter[0]), id)
 
 
@@ -65,6 +79,12 @@ class Missing:
     taken: tuple[Text, ...]
     best: End
     worst: End
+
+
+def _end(number: End | None, shown: Callable[[float], float]) -> End:
+    if number is None:  # nothing could be computed there, which is no value that holds
+        return math.nan
+    return shown(number) if isinstance(number, (int, float)) and math.isfinite(number) else number
 
 
 # --- what is known of a check before it is made
@@ -122,19 +142,14 @@ class CheckRule:
     @property
     def pattern(self) -> str:
         """The ids of all its checks, with * for what the letters stand for."""
-        return _filled(self.id, dict.fromkeys(LETTERS, "*"))
+        return _filled(self.id, tuple((letter, "*") for letter in LETTERS))
 
     def of(self, at: str | Sequence[str]) -> str:
         """The id of its check on these elements."""
-        return _filled(self.id, self.names(at))
+        return _filled(self.id, self._at(at))
 
-    def names(self, at: str | Sequence[str] = (), index: int | None = None) -> dict[str, str]:
-        """The elements that the letters stand for, in the order of the id."""
-        elements = (at,) if isinstance(at, str) else at
-        names = dict(zip(LETTER.findall(self.id), elements, strict=True))
-        if "M" in names:
-            names["DRIVER"], names["DRIVEN"] = names["M"].split("_")
-        return names if index is None else names | {INDEX: str(index)}
+    def _at(self, at: str | Sequence[str], index: int | None = None) -> Elements:
+        return _elements(self.id, (at,) if isinstance(at, str) else tuple(at), index)
 
     def __call__(
         self,
@@ -165,7 +180,8 @@ class CheckRule:
 
         A function that gives several is a generator, called `checks` or `…_checks`, and becomes a tuple where the
         Outcome is made; one that gives one, or perhaps none, is called `…_check`."""
-        names, unit = self.names(at, index), self.unit if unit is None else unit
+        names = self._at(at, index)
+        unit = self.unit if unit is None else unit
         shown = UNITS[unit].shown
         value = math.nan if value is None else value
         if isinstance(limit, tuple):
@@ -174,11 +190,6 @@ class CheckRule:
             raise TypeError(f"{self.id}: a limit of 0 has no margin without a scale")
         else:
             bound = linked(shown(limit), link_of(limit))
-
-        def end(number: End | None) -> End:
-            if number is None:  # nothing could be computed there, which is no value that holds
-                return math.nan
-            return shown(number) if isinstance(number, (int, float)) and math.isfinite(number) else number
 
         keys = [_filled(key, names) for key in self.moved_by] if moved_by is None else moved_by
         this_check = Check(
@@ -198,19 +209,19 @@ class CheckRule:
             zero_scale=None if scale is None else abs(shown(scale)),
             missing=missing.keys if missing is not None else (),
             taken=missing.taken if missing is not None else (),
-            at_best=end(missing.best) if missing is not None else None,
-            at_worst=end(missing.worst) if missing is not None else None,
+            at_best=_end(missing.best, shown) if missing is not None else None,
+            at_worst=_end(missing.worst, shown) if missing is not None else None,
             base=shown(base) if base else 0.0,
         )
         if remedies is None or this_check.holds:
             return this_check
         if isinstance(remedies, Later):
-            return this_check.but(remedies=remedies)
+            return replace(this_check, remedies=remedies)
         ways = remedies()
         if not ways:
             return this_check
-        repaired = this_check.but(remedies=ways)
-        return repaired.but(advice=SPACE.join(filter(None, (repaired.ways_text(), this_check.advice))))
+        repaired = replace(this_check, remedies=ways)
+        return replace(repaired, advice=SPACE.join(filter(None, (repaired.ways_text(), this_check.advice))))
 
 
 # --- one check
@@ -395,20 +406,14 @@ class Check:
         """Whether something is left to do, or to accept."""
         return self.verdict not in ("pass", "accepted")
 
-    def but(self, **changes: Any) -> "Check":  # Any: of every field its own
-        """The same with some of its fields changed."""
-        given = self.__dict__
-        other = object.__new__(Check)  # `replace` sets twenty fields one by one, of each check of a solve
-        other.__dict__.update({name: given[name] for name in self.__dataclass_fields__} | changes)
-        return other
-
     def in_place(self, keys_of: Callable[[str], tuple[str, ...]]) -> "Check":
         """The same by the keys of one design: `keys_of` gives those that a key of the rule stands for there."""
         made = () if isinstance(self.remedies, Later) else self.remedies
         named = (*self.moved_by, *self.missing, *(key for way in made for key, _ in way.changes))
         if all(keys_of(key) == (key,) for key in named):
             return self
-        return self.but(
+        return replace(
+            self,
             moved_by=tuple(key for each in self.moved_by for key in keys_of(each)),
             missing=tuple(key for each in self.missing for key in keys_of(each)),
             remedies=_placed(self.remedies, keys_of),
@@ -421,7 +426,8 @@ class Check:
             step, dot, rest = id.partition(".")
             return f"{step}.{name}.{rest}" if dot and step in steps else id
 
-        return self.but(
+        return replace(
+            self,
             id=placed(self.id),
             name=Text("{name}: {check}", name=Name(name), check=Small(self.name)),
             cause=self.cause and placed(self.cause),
@@ -546,7 +552,7 @@ def _stretched(check: Check, missed: Sequence[Check]) -> Check:
         over = worst - check.base
         worst = check.base + (over / factor if check.sense in (">=", ">") else over * factor)
     best = check.value if check.at_best is None else check.at_best
-    return check.but(outside=tuple([method.id for method in factors]), at_best=best, at_worst=worst)
+    return replace(check, outside=tuple([method.id for method in factors]), at_best=best, at_worst=worst)
 
 
 def _one_part(method: Check, check: str) -> bool:
