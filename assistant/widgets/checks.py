@@ -135,7 +135,7 @@ class Checks(ItemList):
         if outcome is not self.outcome:
             self.lead = lead
             if outcome is None or self.outcome is None or outcome.key != self.outcome.key:
-                self.unfolded = set()
+                self.unfolded, self.cursor = set(), -1  # of another step the worst is looked at
             self.outcome, self.slopes = outcome, {}
             self.rebuild()
 
