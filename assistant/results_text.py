@@ -21,6 +21,7 @@ from calc.library.publications import as_printed
 from calc.sheet.check import SIGNS, URGENT, Check, End
 from calc.sheet.number import short
 from calc.sheet.quantity import Published
+from calc.sheet.record import replace
 from calc.sheet.step import OF_SHAFTS, Outcome, Table, ignored
 from calc.sheet.text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text, plural
 from calc.sheet.verdict import findings_of, named, open_findings, severity, with_it
@@ -115,7 +116,7 @@ def _with_it(worst: Check, others: Sequence[Check]) -> list[str]:
     """What else is open of this cause, as many as stand in one line."""
     if not others:
         return []
-    short_names = [check.but(name=Name(_beside(check.name, worst.name))) for check in others]
+    short_names = [replace(check, name=Name(_beside(check.name, worst.name))) for check in others]
     return _one_line([with_it(short_names, most) for most in range(len(others), 0, -1)])
 
 

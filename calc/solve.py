@@ -9,7 +9,7 @@ mistaken for each other go together in a record (`BearingMaterials`, `MeshOil`, 
 swaps each pair."""
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import field, replace
+from dataclasses import field
 from functools import cache, cached_property, partial
 from typing import Any, TypeVar, cast
 
@@ -55,7 +55,7 @@ from .sheet.check import Check
 from .sheet.deferred import Later
 from .sheet.number import aligned, short
 from .sheet.quantity import Published, ValueKey
-from .sheet.record import record
+from .sheet.record import record, replace
 from .sheet.reuse import Enough, Kept, Parts
 from .sheet.step import Outcome, joined, judged
 from .sheet.text import Text

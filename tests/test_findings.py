@@ -8,6 +8,7 @@ from assistant.results_text import check_json, finding_lines, print_results, res
 from calc.design import replay
 from calc.design.toml_file import design, read
 from calc.sheet.check import SIGNS
+from calc.sheet.record import replace
 from calc.sheet.text import Text
 from calc.sheet.verdict import TITLES
 from calc.solve import solve
@@ -105,7 +106,7 @@ def test_many_of_one_cause_are_counted():
     many = [made(f"a.{'n' * 25}{n}", "caution", 0.5, cause="a.limit") for n in range(5)]
     text = printed(made("a.limit", "limit", 0.9), *many)
     assert text.endswith(f"a.{'n' * 25}1 (−50 %); 3 more")
-    alone = made("a.b", "caution", 0.5, cause="a.limit").but(name=Text("The size of"))
+    alone = replace(made("a.b", "caution", 0.5, cause="a.limit"), name=Text("The size of"))
     assert "With it 1 caution: The size of (−50 %)" in printed(made("a.limit", "limit", 0.9), alone)
 
 
@@ -133,8 +134,8 @@ def test_what_holds_by_a_formula_outside_its_validity_is_counted():
     outside = {"outside": (method.id,), "at_best": 2.0, "at_worst": 1.5}
     held = made("gears.a_b.safety_contact", "limit", 2.0, **outside)
     line = "1 check holds by a formula outside its validity: The size of gears.a_b.line_load (−50 %)"
-    assert line in printed(method, held) and "outside" not in printed(method, held.but(outside=()))
-    lost = held.but(at_worst=0.9)
+    assert line in printed(method, held) and "outside" not in printed(method, replace(held, outside=()))
+    lost = replace(held, at_worst=0.9)
     text = " ".join(printed(method, lost).split())
     assert "? not verified The size of gears.a_b.safety_contact" in text and "holds by" not in text
     assert "Outside validity: gears.a_b.line_load. At best 2 mm, at worst 0.9 mm." in text

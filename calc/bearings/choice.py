@@ -7,7 +7,6 @@ once more.  The first of them are solved as whole designs before they are shown,
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from itertools import product
 from typing import Any
 
@@ -19,7 +18,7 @@ from ..sheet.check import Check
 from ..sheet.errors import NoSolution
 from ..sheet.progress import Progress, tell
 from ..sheet.quantity import Quantity, dotted, given, keys
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.remedy import Changes, digits
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import UNITS, Kilogram, Metre, Number, Second, Watt

@@ -2,10 +2,10 @@
 """What the bearings of all shafts share: oil, housing and temperatures, and what those of each kind are asked."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from ..countershaft.rows import BearingRow
 from ..sheet.quantity import Key, described, dotted, inputs, keys
+from ..sheet.record import replace
 from ..sheet.text import Text
 from .plain.inputs import PlainInputs
 from .rolling.inputs import RollingInputs

@@ -4,7 +4,6 @@
 Each bearing has its law (`support`), in the frame of the shaft."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,7 @@ from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.functions import argument, modulus
 from ..sheet.linked_array import elements, gathered, item
 from ..sheet.quantity import dotted
+from ..sheet.record import replace
 from ..sheet.text import Text
 from ..sheet.units import Metre, Newton
 from ..sheet.value import about, based_on, untraced

@@ -5,7 +5,6 @@ From the side the shaft is seen in the plane in which its journals lie farthest 
 
 import cmath
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,6 +32,7 @@ from ..draw.drawing import (
 from ..engine.result import EngineResult
 from ..sheet.check import Check
 from ..sheet.quantity import dotted
+from ..sheet.record import replace
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import Metre, Newton, Number, Radian
 from .kinds import KINDS

@@ -2,7 +2,6 @@
 """The bearings of a shaft: what each carries, and each as its kind judges it."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 from ..countershaft.bending.condensed import Condensed, of_beam
@@ -18,6 +17,7 @@ from ..sheet.arrays import Array
 from ..sheet.check import Check, CheckRule
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import elements
+from ..sheet.record import replace
 from ..sheet.remedy import by_key
 from ..sheet.step import Outcome
 from ..sheet.text import EMPTY, Text

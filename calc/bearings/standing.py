@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The bearings of a shaft with what stands still while it turns: weight, gear force, pull of chains."""
 
-from dataclasses import replace
-
 from ..countershaft.result import Standing
+from ..sheet.record import replace
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.value import trace

@@ -4,7 +4,6 @@ subjects, those of its outline where it is put together."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from itertools import combinations
 
 from ..gears.inputs import GearsInputs
@@ -14,7 +13,7 @@ from ..library.catalogue import WEAKEST_TENSILE, Material, proof_of
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import dotted
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.remedy import Remedy, by_key, down
 from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
 from ..sheet.units import Metre, Number

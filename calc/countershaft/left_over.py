@@ -3,7 +3,6 @@
 figures."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -17,6 +16,7 @@ from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
 from ..sheet.functions import argument, conj, degrees
 from ..sheet.quantity import dotted
+from ..sheet.record import replace
 from ..sheet.step import Curve, Outcome, Series, axis_label
 from ..sheet.text import COMMA, SPACE, Amount, Name, Text, listed
 from ..sheet.units import Metre, NewtonMetre, Number, PhasorMetre, PhasorNewtonMetre, RadPerSecond

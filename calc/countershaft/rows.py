@@ -3,7 +3,6 @@
 all of it where [bearings] judges the bearing, else its name, its place and its size alone."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 
 from ..bearings.plain.row import PlainRow
 from ..bearings.rolling.row import RollingRow
@@ -13,6 +12,7 @@ from ..library.journal_rules import IN_WORDS as IN_WORDS
 from ..library.journal_rules import called as called
 from ..library.journal_rules import titled as titled
 from ..sheet.quantity import Key, Where, dotted, inputs, keys
+from ..sheet.record import replace
 from ..sheet.text import Text
 from ..sheet.units import Metre
 

@@ -3,13 +3,13 @@
 over together."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from ..imbalance.remedies import roll_torque
 from ..sheet.formula import formula
 from ..sheet.functions import total
 from ..sheet.linked_array import gathered
 from ..sheet.quantity import group, result, value, values
+from ..sheet.record import replace
 from ..sheet.step import Outcome, beside, joined
 from ..sheet.text import Name, Text
 from ..sheet.units import (

@@ -8,7 +8,6 @@ clockwise."""
 import cmath
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -44,7 +43,7 @@ from ..gears.layout.curves import stage_lines
 from ..gears.result import TrainResult
 from ..sheet.check import Check
 from ..sheet.quantity import dotted
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import Metre, Number, Radian
 from .bending.shaft import Bending

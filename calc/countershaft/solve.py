@@ -4,7 +4,6 @@
 At the end whether the oil of its bearings drains off."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +18,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import pi, power, sin, smallest, total
 from ..sheet.linked_array import column, elements, gathered, item
 from ..sheet.quantity import Described, Stated
+from ..sheet.record import replace
 from ..sheet.step import Outcome
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import (

@@ -7,7 +7,6 @@ i = ±n times crank speed adds to one of them.  Couples about the middle of the 
 grow with the square of speed, so that what is left is one share at all speeds."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Any, Self
 
 from ..imbalance import formulas as v
@@ -16,7 +15,7 @@ from ..sheet.arrays import Array
 from ..sheet.formula import formula
 from ..sheet.functions import conj, largest
 from ..sheet.quantity import group, result, value
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import (

@@ -7,7 +7,6 @@ positive where a load in the positive direction makes it so between two supports
 supports come out below zero (hogging)."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from functools import reduce
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -16,6 +15,7 @@ import numpy as np
 from ..sheet.arrays import Array, BoolArray, ComplexArray, IndexArray
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
+from ..sheet.record import replace
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.units import (

@@ -6,10 +6,9 @@ each at the same place along the engine, its axis at the same height on the othe
 once more, about an axis of its own."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import Literal, TypeVar
 
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.value import based_on
 from .inputs import EccentricMass, Section, ShaftInputs
 from .rows import BearingRow, said_in

@@ -4,7 +4,6 @@ in solve.py."""
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from dataclasses import replace
 from difflib import get_close_matches
 from functools import cached_property
 from typing import Any, ClassVar
@@ -37,6 +36,7 @@ from ..sheet.quantity import (
     text,
     unknown,
 )
+from ..sheet.record import replace
 from ..sheet.step import OF_SHAFTS, Step
 from ..sheet.text import Amount, Small, Text, listed
 from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, control, said_twice

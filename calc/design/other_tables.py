@@ -21,12 +21,12 @@ by = "…"
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from math import isfinite
 from numbers import Real
 from typing import Any
 
 from ..sheet.quantity import choice, day, dotted, inputs, integer, open_, quantity, table, tables, text
+from ..sheet.record import replace
 from ..sheet.text import Text
 from ..sheet.units import UNITS
 from .disk import bare_name

@@ -2,7 +2,6 @@
 """Beside the bearings of a design others of each kind: the table and the figure that are made when somebody looks."""
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ from ..countershaft.rows import BearingRow
 from ..friction.result import carbon_dioxide, fuel
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
+from ..sheet.record import replace
 from ..sheet.step import Further, Outcome
 from ..sheet.units import Number
 from ..sheet.value import recorded

@@ -2,7 +2,7 @@
 """What was measured, beside what is predicted at the same speed: the rows of [[measured]] as a table of each step."""
 
 from collections.abc import Callable
-from dataclasses import is_dataclass, replace
+from dataclasses import is_dataclass
 from difflib import get_close_matches
 from functools import partial
 
@@ -13,6 +13,7 @@ from ..bearings.plain.result import PlainResult
 from ..countershaft.rows import BearingRow
 from ..sheet.deferred import Later
 from ..sheet.quantity import Published, dotted, keys
+from ..sheet.record import replace
 from ..sheet.step import Outcome, Table
 from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
 from .model import Design

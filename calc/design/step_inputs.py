@@ -5,7 +5,6 @@ next."""
 from cmath import phase
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
@@ -44,6 +43,7 @@ from ..library.lubricant import Lubricant
 from ..mounting.wrenches import ShaftOnEngine
 from ..sheet.errors import NoSolution
 from ..sheet.linked_array import item
+from ..sheet.record import replace
 from ..sheet.step import Outcome
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Watt

@@ -10,7 +10,7 @@ import re
 import tomllib
 from collections.abc import Collection, Sequence
 from contextlib import suppress
-from dataclasses import MISSING, field, replace
+from dataclasses import MISSING, field
 from datetime import date
 from functools import cached_property
 from pathlib import Path
@@ -21,7 +21,7 @@ from ..countershaft.rows import BearingRow
 from ..gears.inputs import GearsInputs
 from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError
 from ..sheet.quantity import Quantity, dotted, keys, unknown
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import EMPTY, Text
 from ..sheet.toml_scan import Beyond, key_lines, remarks
 from ..sheet.value import linked

@@ -5,7 +5,6 @@ What is a little outside is said in a note. What is far outside, or does not fit
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
 from statistics import median
 from typing import Any
 
@@ -19,7 +18,7 @@ from ..gears.wheel_inputs import Wheel
 from ..mounting.inputs import Mount, MountingInputs, Point
 from ..sheet.check import Check, CheckRule
 from ..sheet.quantity import Quantity, described, dotted, given
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.remedy import Change, Remedy, remedy, whole
 from ..sheet.step import Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text, alternatives, plural
@@ -223,7 +222,7 @@ def _asking(check: Check, readings: Iterable[tuple[Change, ...]]) -> Check:
     if not ways:
         return check
     meant = Text("Did you mean {readings}?", readings=alternatives([way.words for way in ways]))
-    return check.but(remedies=tuple(ways), advice=meant)
+    return replace(check, remedies=tuple(ways), advice=meant)
 
 
 def _doubted(
@@ -710,7 +709,7 @@ def _mounting(design: Design) -> Iterator[Check]:
                 field = Mount.position if isinstance(place, Mount) else Point.position
                 reading = (1e3 * r, (_to(field, in_metre, MOUNTING, array, place.name),))
                 for check in _doubted(PLACE, r, NEAREST, reading, at=place.name):
-                    yield check.but(moved_by=(dotted(MOUNTING, array, place.name, field),))
+                    yield replace(check, moved_by=(dotted(MOUNTING, array, place.name, field),))
     for mount in mounting.mounts:
         others = median([sum(other.stiffness) for other in mounting.mounts])
         share = sum(mount.stiffness) / others if others else 1.0
@@ -719,7 +718,7 @@ def _mounting(design: Design) -> Iterator[Check]:
             (share * x, (_to(Mount.stiffness, tuple([x * k for k in mount.stiffness]), *key),)) for x in (1e-3, 1e3)
         ]
         for check in _doubted(UNLIKE, share, SHARES, *slipped, at=mount.name):
-            yield check.but(moved_by=(dotted(*key, Mount.stiffness), dotted(MOUNTING, MountingInputs.mounts)))
+            yield replace(check, moved_by=(dotted(*key, Mount.stiffness), dotted(MOUNTING, MountingInputs.mounts)))
     if k := sum(sum(mount.stiffness) / len(mount.stiffness) for mount in mounting.mounts):
         yield from _doubted(BOUNCE, math.sqrt(k / m) / (2 * math.pi), FREQUENCIES)
 

@@ -6,7 +6,6 @@ In order: the tables of a whole design, with today's errors at the user's own ke
 design of schema 2; the four old keys that have become many."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from difflib import get_close_matches
 from itertools import pairwise
 from typing import TypeVar
@@ -15,7 +14,7 @@ from ..bearings.inputs import BearingsInputs
 from ..gears.wheel_inputs import Wheel
 from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError, written
 from ..sheet.quantity import Quantity, keys, unknown
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import Text
 
 T = TypeVar("T")

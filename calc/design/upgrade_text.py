@@ -8,10 +8,9 @@ notation that does not bear this is written afresh."""
 import tomllib
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 
 from ..sheet.errors import BadInput, InputError, written
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import Text
 from ..sheet.toml_scan import TOKEN, key_lines, remarks
 from .upgrade import (

@@ -5,8 +5,8 @@ Marks are in millimetres on the paper."""
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 
+from ..sheet.record import replace
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import UNITS, Metre, Radian
 from .drawing import (

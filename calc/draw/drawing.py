@@ -7,13 +7,12 @@ it is edited; `state`: the verdict of the part that it shows, "fail", "warn" or 
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Literal, Protocol, TypeVar, cast
 
 from ..sheet.check import Check
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Metre, Radian
 

@@ -4,14 +4,13 @@
 Of any engine, or of many engines that differ in their numbers."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
 from ..sheet.arrays import Array, BoolArray, IndexArray
 from ..sheet.formula import formula
 from ..sheet.functions import single_or_many
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Metre, Metres, Number, Places, Radian, Radians
 from ..sheet.value import based_on

@@ -6,13 +6,12 @@ the piston stands at TDC at α = φ₀.  Acceleration is positive towards the cr
 from TDC."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from ..sheet.arrays import ComplexArray, Num
 from ..sheet.formula import formula
 from ..sheet.functions import asin, cos, pi, sin, sqrt, tan, total
 from ..sheet.linked_array import gathered
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.units import (
     CubicMetre,
     Kilogram,

@@ -5,14 +5,13 @@ loads cost little more than one.
 T = T_m + Σ Re{t_n·e^{inε}}, ε = 0 at the firing TDC of cylinder 1; n in halves for a four-stroke engine."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
 
 from ..sheet.arrays import Array, ComplexArray, IndexArray
 from ..sheet.formula import formula
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.units import Newtons, Numbers, PhasorNewtonMetres, Radians
 from ..sheet.value import based_on, untraced
 from . import cycle as c

@@ -8,7 +8,7 @@ engine's friction.  That pressure is linear in the pressures of the cycle, so th
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import fields, replace
+from dataclasses import fields
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from ..sheet.arrays import Array, BoolArray, ComplexArray
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.linked_array import gathered
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import Amount, Text
 from ..sheet.units import (
     KilogramPerMetre,

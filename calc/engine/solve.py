@@ -3,7 +3,6 @@
 crank."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import largest, modulus, pi, single_or_many, smallest
 from ..sheet.linked_array import elements, gathered
 from ..sheet.quantity import Described, Stated
+from ..sheet.record import replace
 from ..sheet.step import Outcome, Table
 from ..sheet.text import Text
 from ..sheet.units import Number, Numbers, PhasorNumber, PhasorNumbers, Radian, Radians

@@ -7,7 +7,6 @@ in the sense of rotation, radial towards the crank axis."""
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from typing import Any, Protocol, overload
 
 import numpy as np
@@ -17,6 +16,7 @@ from ..sheet.arrays import Array, BoolArray, Num
 from ..sheet.check import Check, CheckRule
 from ..sheet.linked_array import item
 from ..sheet.quantity import dotted
+from ..sheet.record import replace
 from ..sheet.step import Table
 from ..sheet.text import Name, Text
 from ..sheet.units import UNITS, Metre, Newton, NewtonMetre

@@ -9,7 +9,6 @@ the firing of cylinder 1. Cylinder k then stands ε − f_k after its own firing
 with θ the angle of throw 1 from up."""
 
 import math
-from dataclasses import replace
 from typing import overload
 
 import numpy as np
@@ -20,6 +19,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import modulus, pi, resultant
 from ..sheet.linked_array import elements, gathered, item
 from ..sheet.quantity import Described, Stated
+from ..sheet.record import replace
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Amount, Text
 from ..sheet.units import (

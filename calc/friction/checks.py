@@ -2,7 +2,6 @@
 """What is to be said about solved friction: checks, where the source is wrong, notes and curves."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import partial
 
 from ..bearings.inputs import BearingsInputs
@@ -16,6 +15,7 @@ from ..library import oils
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.deferred import Later
 from ..sheet.quantity import dotted
+from ..sheet.record import replace
 from ..sheet.remedy import by_key
 from ..sheet.step import Erratum, Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text

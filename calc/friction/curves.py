@@ -4,7 +4,6 @@ path, and over λ."""
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from ..countershaft.rows import called
 from ..library import oils
 from ..sheet.errors import NoSolution
 from ..sheet.functions import pi
+from ..sheet.record import replace
 from ..sheet.step import Curve, Series, Table, axis_label
 from ..sheet.text import EMPTY, Amount, Name, Text
 from . import models as loss_models

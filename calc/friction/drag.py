@@ -5,13 +5,12 @@ flanks together.
 Mesh losses are none of it: they vanish when the flanks part."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ..sheet.arrays import Array
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.units import Metre, Watt
 from ..sheet.value import untraced
 from .journals import OnShaft, journals_at

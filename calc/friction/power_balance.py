@@ -11,7 +11,6 @@ without counter-shaft gives the power that the first driver puts into its mesh, 
 `balance` traces them."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from functools import cached_property, partial, reduce
 from typing import Any, NamedTuple, TypeVar
 
@@ -23,7 +22,7 @@ from ..library.lubricant import Lubricant
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import power
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import Amount, Text
 from ..sheet.units import Celsius, KilogramPerMetre3, Metre, Newton, Number, RevPerSecond, Watt
 from ..sheet.value import about, based_on, converged, unlinked, untraced

@@ -2,7 +2,6 @@
 """The friction step: the meshes of the train, the losses of all that turns, the closed power balance."""
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
@@ -14,6 +13,7 @@ from ..gears.result import TrainResult
 from ..library.catalogue import Material, Oil, materials, oils
 from ..library.lubricant import Lubricant
 from ..sheet.deferred import Later
+from ..sheet.record import replace
 from ..sheet.step import Curve, Further, Outcome, Table, finite
 from ..sheet.text import Amount, Name, Text, listed
 from ..sheet.units import Celsius, Metre, Newton, RevPerSecond, Watt

@@ -5,7 +5,6 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 from ..engine.inputs import EngineInputs
@@ -13,7 +12,7 @@ from ..library.catalogue import Material
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.deferred import Later
 from ..sheet.quantity import dotted
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.step import Outcome, Table, finite
 from ..sheet.text import Text
 from ..sheet.units import Metre, Newton, NewtonMetre, Number, Radian, RevPerSecond

@@ -3,14 +3,13 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 
 from ..library.catalogue import Material
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import pi
 from ..sheet.quantity import Described, Stated
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.step import Outcome
 from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, KilogramPerMetre3, Metre, Number, Radian

@@ -3,7 +3,6 @@
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from itertools import permutations, product
 
 import numpy as np
@@ -13,7 +12,7 @@ from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..sheet.arrays import Array, IndexArray
 from ..sheet.errors import NoSolution
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.step import Table
 from ..sheet.text import SPACE, Name, Text, plural
 from ..sheet.units import Newton, NewtonMetre

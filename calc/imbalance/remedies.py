@@ -6,7 +6,6 @@ takes the one vector that turns like it; its unbalance takes the force, unbalanc
 ±i beside the cylinders' plane, at the same distance (Lanchester), raise no roll torque; a single one that carries a
 force does."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from ..engine.result import EngineResult
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, joined, modulus, resultant
 from ..sheet.quantity import group, result, value
+from ..sheet.record import replace
 from ..sheet.text import Amount, Text
 from ..sheet.units import (
     Kilogram,

@@ -4,7 +4,6 @@
 What other remedies would do stands beside it."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import cache
 from typing import TypedDict
 
@@ -15,6 +14,7 @@ from ..engine.result import EngineResult
 from ..engine.solve import ORDERS
 from ..engine.solve import values as engine_values
 from ..sheet.deferred import Later
+from ..sheet.record import replace
 from ..sheet.step import Outcome, Table
 from ..sheet.text import Text
 from ..sheet.units import KilogramMetre, Newton, Radian, RadPerSecond

@@ -8,7 +8,6 @@ complex numbers p = x + i·y: static unbalance S = Σ m·p, couple product C = �
 
 import math
 from collections.abc import Iterable
-from dataclasses import replace
 from itertools import combinations
 from typing import Annotated
 
@@ -23,6 +22,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant, total
 from ..sheet.linked_array import column, elements, gathered
 from ..sheet.quantity import Described, Stated, group, result, value
+from ..sheet.record import replace
 from ..sheet.step import Table
 from ..sheet.text import Text
 from ..sheet.units import (

@@ -4,13 +4,13 @@
 import re
 from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import MISSING, replace
+from dataclasses import MISSING
 from functools import cache, lru_cache
 from typing import Any, TypeVar
 
 from ..sheet.check import Missing
 from ..sheet.quantity import choice, dotted, inputs, keys, quantity, tables, text, unknown
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import Amount, Text
 from ..sheet.units import Pascal
 from ..sheet.value import Link, linked

@@ -8,11 +8,10 @@ neighbours, and what is printed for other oils."""
 
 import re
 from collections.abc import Iterator
-from dataclasses import replace
 
 from ..sheet.expression import symbol
 from ..sheet.quantity import Quantity, dotted, keys
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.step import Erratum, Table
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text
 from ..sheet.units import UNITS, Celsius, Number, PascalSecond, SquareMetrePerSecond

@@ -8,11 +8,11 @@ what stands behind it."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import field
 from functools import cache
 
 from ..sheet.quantity import unknown
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import EMPTY, SEMICOLON, Text
 from .table_file import TABLES, Mistake, bad_table, house_table, parsed, text_of_table
 

@@ -2,7 +2,7 @@
 """A language: it gives a text, or all that a step gave, in its own words, and writes numbers in its own way."""
 
 import re
-from dataclasses import fields, replace
+from dataclasses import fields
 from functools import cache
 from gettext import translation
 from pathlib import Path
@@ -12,6 +12,7 @@ from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.in_ascii import in_ascii
 from ..sheet.quantity import Quantity
+from ..sheet.record import replace
 from ..sheet.step import Curve, DrawnLoad, Erratum, Outcome, Series, Table, Turning
 from ..sheet.text import Amount, Name, Part, Small, Text, english, with_unit
 

@@ -3,7 +3,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import fields, replace
+from dataclasses import fields
 from functools import cache
 from typing import Any, Unpack
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from ..sheet.arrays import Array
 from ..sheet.quantity import Described, Stands, Stated, group, result, value
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.text import Text
 from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Newton, Number, Radian
 from ..sheet.value import based_on, recorder

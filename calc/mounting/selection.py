@@ -7,7 +7,6 @@ whose modes are purest.  The lattice of whole steps and the way through it are t
 (`sheet/search.py`)."""
 
 import math
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -16,7 +15,7 @@ from ..sheet.arrays import Array, BoolArray
 from ..sheet.errors import NoSolution
 from ..sheet.progress import Progress, tell
 from ..sheet.quantity import dotted
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.remedy import Changes
 from ..sheet.search import judged, least, narrowed
 from ..sheet.step import Table

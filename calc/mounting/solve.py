@@ -2,7 +2,6 @@
 """The engine on its mounts: modes, statics, and what is felt at every operation without shafts, with them, and with
 some of them off."""
 
-from dataclasses import replace
 from functools import partial
 
 from ..engine.inputs import EngineInputs
@@ -13,6 +12,7 @@ from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.linked_array import gathered
 from ..sheet.quantity import Stated
+from ..sheet.record import replace
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.value import trace, untraced

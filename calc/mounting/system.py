@@ -6,13 +6,12 @@ Coordinates: the six of the engine's centre of gravity, then the six of the chas
 """
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
 from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
-from ..sheet.record import record
+from ..sheet.record import record, replace
 from ..sheet.units import Kilograms, PhasorMetres, PhasorNewtons, PhasorNewtonsPerMetre, RadiansPerSecond
 from ..sheet.value import based_on, link_of, linked
 from . import body

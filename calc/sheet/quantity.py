@@ -7,13 +7,13 @@ out: None (no tables: ()) means "choose for me"; the type checker reads the same
 
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import MISSING, Field, dataclass, field, fields, is_dataclass, replace
+from dataclasses import MISSING, Field, dataclass, field, fields, is_dataclass
 from difflib import get_close_matches
 from functools import cache
 from inspect import isabstract
 from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
 
-from .record import frozen, record
+from .record import frozen, record, replace
 from .text import EMPTY, SPACE, Amount, Text
 from .units import UNITS, Unit
 

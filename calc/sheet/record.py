@@ -3,9 +3,10 @@
 
 Two records are equal only where they are the same object."""
 
+import dataclasses
 from collections.abc import Callable
 from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields
-from typing import Any, TypeVar, dataclass_transform
+from typing import TYPE_CHECKING, Any, TypeVar, dataclass_transform
 
 from . import number
 
@@ -24,6 +25,7 @@ def frozen(cls: type[T], *, kw_only: bool = False) -> type[T]:
     record_class.__init__ = _init(record_class)  # type: ignore[method-assign]
     record_class.__setattr__ = _once  # type: ignore[method-assign]
     record_class.__repr__ = number.line  # type: ignore[method-assign]
+    record_class._copied = _copied(record_class)  # type: ignore[attr-defined]
     if record_class.__str__ is object.__str__:  # a class may say more of itself
         record_class.__str__ = number.table  # type: ignore[method-assign]
     return record_class
@@ -50,6 +52,30 @@ def _init(cls: type) -> Callable[..., None]:
     init.__qualname__ = f"{cls.__qualname__}.__init__"
     init.__annotations__ = {f.name: f.type for f in fields(cls) if f.init} | {"return": None}
     return init
+
+
+def _copied(cls: type) -> tuple[str, ...] | None:
+    """The fields that make one record of another; None where more has to be done than to copy them."""
+    plain = all(f.init for f in fields(cls)) and not hasattr(cls, "__post_init__")
+    return tuple(f.name for f in fields(cls)) if plain else None
+
+
+if TYPE_CHECKING:
+    from dataclasses import replace as replace  # of which a checker knows what may be changed
+else:
+
+    def replace(of: T, /, **changes: Any) -> T:
+        """What `dataclasses.replace` does, for records in a third of the time: a solve changes some hundred of them."""
+        names = getattr(type(of), "_copied", None)
+        if names is None:
+            return dataclasses.replace(of, **changes)
+        held = of.__dict__
+        new = {name: held[name] for name in names} | changes
+        if len(new) > len(names):
+            raise TypeError(f"{type(of).__name__} has no {', '.join(changes.keys() - set(names))}")
+        other = object.__new__(type(of))
+        other.__dict__.update(new)
+        return other
 
 
 def _once(self: object, name: str, value: object) -> None:

@@ -6,11 +6,10 @@ The advice of a check is rendered from it."""
 import json
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any, TypeVar
 
 from .quantity import keys
-from .record import record
+from .record import record, replace
 from .text import EMPTY, SEMICOLON, Amount, Text, alternatives, listed
 
 BOUNDS = {

@@ -4,7 +4,6 @@
 import cmath
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property
 from typing import Generic, Literal, TypeVar, cast
 
@@ -14,7 +13,7 @@ from .deferred import Later, Many
 from .errors import NoSolution, text_of
 from .number import aligned, brief
 from .quantity import Published, insides, published
-from .record import record
+from .record import record, replace
 from .text import EMPTY, Amount, Name, Text
 from .value import Line
 from .verdict import Counts, colour_state, counts, grouped, step_state, verdict_words
@@ -359,7 +358,7 @@ def _stretched(outcome: Outcome[R]) -> Outcome[R]:
 
 
 def _accepted(outcome: Outcome[R], reasons: dict[str, str]) -> Outcome[R]:
-    checks = tuple([c.but(accepted=reasons[c.id]) if c.id in reasons else c for c in outcome.checks])
+    checks = tuple([replace(c, accepted=reasons[c.id]) if c.id in reasons else c for c in outcome.checks])
     return replace(outcome, checks=checks, notes=outcome.notes + Later(lambda: _of_accepted(checks, reasons)))
 
 

@@ -18,6 +18,7 @@ from ..design.unusual import told, unusual
 from ..gears.drive.result import IDLE
 from ..sheet.check import ORDER, Check
 from ..sheet.quantity import Published, Quantity, described, dotted, keys
+from ..sheet.record import replace
 from ..sheet.step import OF_SHAFTS
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.verdict import Counts, design_state, step_state
@@ -423,13 +424,13 @@ def _unusual(results: "Results") -> Text:
 
 def _unaccepted(results: "Results") -> str:
     steps = [outcome.verdict for outcome in results.outcomes.values()]
-    return design_state([check.but(accepted="") for check in results.checks()], steps)
+    return design_state([replace(check, accepted="") for check in results.checks()], steps)
 
 
 def _judged(results: "Results", step: str) -> Judged:
     outcome = results.outcomes[step]
     unaccepted = (
-        step_state([check.but(accepted="") for check in outcome.checks], computes=outcome.computes)
+        step_state([replace(check, accepted="") for check in outcome.checks], computes=outcome.computes)
         if outcome.state == "solved"
         else outcome.verdict
     )

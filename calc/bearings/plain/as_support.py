@@ -5,7 +5,6 @@ displaced.
 The law is one that `countershaft.bending.carried` asks for, in the frame of the shaft."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -15,7 +14,7 @@ from ...countershaft.bending.carried import AnyLaw, Hold, Law, Rigid, carried, c
 from ...countershaft.bending.condensed import Condensed
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Newton, Number, PascalSecond, RevPerSecond
 from ...sheet.value import based_on, untraced

@@ -4,7 +4,6 @@
 import math
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import replace
 from typing import Any, Self
 
 from ...countershaft.bending.formulas import film_stiffness
@@ -14,6 +13,7 @@ from ...library.lubricant import Lubricant, OilState
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, group, result
+from ...sheet.record import replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Radian, RevPerSecond, Watt
 from ...sheet.value import about, based_on, untraced

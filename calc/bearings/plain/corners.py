@@ -2,7 +2,6 @@
 """The corners of the tolerances: smallest and largest journal, smallest and largest seat, thinner and thicker oil, each
 solved."""
 
-from dataclasses import replace
 from itertools import product
 from typing import Any
 
@@ -13,7 +12,7 @@ from ...library.tolerances import Assumed, deviations, parse, tolerance
 from ...sheet.arrays import Array
 from ...sheet.linked_array import gathered, item
 from ...sheet.quantity import result, value
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Radian

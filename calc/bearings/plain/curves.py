@@ -3,7 +3,6 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from functools import cache, partial
 from typing import Any
 
@@ -15,6 +14,7 @@ from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.functions import root
+from ...sheet.record import replace
 from ...sheet.step import Curve, Series, axis_label
 from ...sheet.text import Amount, Name, Text
 from ...sheet.value import unlinked, untraced

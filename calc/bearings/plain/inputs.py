@@ -2,7 +2,6 @@
 """What the plain bearings of all shafts share: their oil, its supply, housing and temperatures."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 from math import pi
 from typing import ClassVar
 
@@ -12,6 +11,7 @@ from ...library import tolerances as fits
 from ...library.catalogue import Oil
 from ...library.tolerances import ASSUMED_FIT, Assumed
 from ...sheet.quantity import as_in, choice, described, dotted, inputs, quantity, series, table, text
+from ...sheet.record import replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import Radian
 from ..row import ASKED_ELSEWHERE, LEAST_METAL, more_metal

@@ -7,7 +7,6 @@ damping, to first order.  The orbit may come closer: a force across the load pus
 the narrowest film.  The thinner of the two is judged."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any, Generic
 
 import numpy as np
@@ -20,7 +19,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import single_or_many
 from ...sheet.quantity import dotted
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import MetrePerSecond, Newton, Watt
 from ...sheet.value import based_on, untraced

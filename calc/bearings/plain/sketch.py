@@ -8,7 +8,6 @@ side the shaft is seen in the plane in which its journals lie farthest from the 
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...countershaft.rows import BearingRow, called, row_key
@@ -29,6 +28,7 @@ from ...draw.drawing import (
 )
 from ...sheet.check import Check
 from ...sheet.quantity import dotted
+from ...sheet.record import replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Radian
 from ..inputs import BearingsInputs, ruled_by

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """One plain bearing: judged by the program's own solution on the warm clearance, beside other routes to the film."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from ...library.oils import high_shear
 from ...library.tolerances import deviations, parse
 from ...sheet.arrays import Array
 from ...sheet.linked_array import gathered, item
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Text
 from ...sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ...sheet.value import about, based_on

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The film over the speeds: where it is thinnest is found, not assumed."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ from ...engine.inputs import EngineInputs
 from ...engine.operation import BenchPoint
 from ...sheet.arrays import Array
 from ...sheet.linked_array import elements, gathered, item, linked_array
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Number, RevPerSecond
 from ...sheet.value import based_on, joined_links

@@ -2,7 +2,6 @@
 """A rolling bearing before and under its load: what its shaft, the power balance and a report ask of any bearing."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any, Self
 
 import numpy as np
@@ -13,7 +12,7 @@ from ...library.lubricant import Lubricant, OilState
 from ...sheet.arrays import Array, BoolArray
 from ...sheet.check import Check
 from ...sheet.quantity import result
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about, based_on, untraced

@@ -5,7 +5,7 @@
 All of one bearing, or of many of one type as arrays."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import fields, replace
+from dataclasses import fields
 from typing import Any, Generic
 
 import numpy as np
@@ -13,7 +13,7 @@ import numpy as np
 from ...sheet.arrays import Array, BoolArray, Value
 from ...sheet.formula import formula
 from ...sheet.functions import asin, cos, floor, pi, smallest
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Text
 from ...sheet.units import Kilogram, KilogramPerMetre3, Metre, Number, Radian
 from .sizes import BearingSize, Elements, Usual

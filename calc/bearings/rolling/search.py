@@ -7,7 +7,7 @@ creeps.  The loads are those of the design as it is: another bearing changes the
 which the whole design says once it is solved with it."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import fields, replace
+from dataclasses import fields
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -17,7 +17,7 @@ from ...countershaft.rows import BearingRow
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, BoolArray
 from ...sheet.check import THIN_MARGIN, CheckRule
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Text
 from ...sheet.units import Celsius, Kilogram, Metre, Newton, Number, Radian, Second, Watt
 from ...sheet.value import untraced

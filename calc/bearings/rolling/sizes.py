@@ -6,7 +6,6 @@ needs numpy: designs are read with it."""
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from difflib import get_close_matches
 from functools import cache
 from itertools import product
@@ -14,7 +13,7 @@ from typing import Any, Generic, Literal
 
 from ...library.table_file import TableRow, house_table
 from ...sheet.arrays import Value
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import SPACE, Text
 from ...sheet.units import UNITS, Metre
 

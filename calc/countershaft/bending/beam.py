@@ -12,12 +12,11 @@ positive direction makes it so between two supports: M = −E·I·θ'.  All numb
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray, IndexArray
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.units import Metre, RadPerSecond
 from ...sheet.value import Link
 

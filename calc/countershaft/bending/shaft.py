@@ -12,7 +12,6 @@ says whether they are needed."""
 
 import math
 from collections import Counter
-from dataclasses import replace
 from itertools import pairwise
 from typing import TypedDict
 
@@ -25,7 +24,7 @@ from ...sheet.arrays import Array, BoolArray, ComplexArray, Num
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column, gathered, item, where
 from ...sheet.quantity import result, value
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import COMMA, Amount, Text
 from ...sheet.units import (
     Metre,

@@ -11,7 +11,6 @@ given, the longer half-axis is swept through all directions.  Of two orders the 
 joint holds by friction alone; locating pins, where there are any, are left out."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,7 +19,7 @@ from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.formula import formula
 from ...sheet.functions import atan, cis, conj, cos, joined, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import dotted, result, value
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import EMPTY, Amount, Name, Text, listed
 from ...sheet.units import (
     Metre,
@@ -689,7 +688,8 @@ def further_checks(bolts: FurtherBolts, joint: BoltsResult) -> Iterator[Check]:
     across = dotted("countershaft", BoltsResult.bolt_slip_across_safety)
     for check in found:
         value = across if check.rule in (SLIP, SLIP_VDI) else check.value_id
-        yield check.but(
+        yield replace(
+            check,
             name=Text("{what}, {bolts}", what=check.name, bolts=Name(bolts.name)),
             value_id=value.replace("countershaft", id),
             moved_by=tuple([m.replace(dotted(*BOLT_KEYS), key) for m in check.moved_by if m != SPAN]),

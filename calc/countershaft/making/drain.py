@@ -14,6 +14,7 @@ from ...library.table_file import house_table
 from ...sheet.check import Check, CheckRule
 from ...sheet.formula import formula
 from ...sheet.quantity import dotted, result, value
+from ...sheet.record import replace
 from ...sheet.text import EMPTY, Amount, Name, Text
 from ...sheet.units import CubicMetrePerSecond, Metre, MetreTuple, Radian
 from ...sheet.value import about, based_on
@@ -340,7 +341,8 @@ def of_drain(drain_check: Check, drain: OilDrain) -> Check:
         return drain_check
     key = dotted(SHAFT, ShaftInputs.further_drains, drain.name)
     id = dotted("countershaft", ShaftInputs.further_drains, drain.name)
-    return drain_check.but(
+    return replace(
+        drain_check,
         name=Text("{what}, {drain}", what=drain_check.name, drain=Name(drain.name)),
         value_id=drain_check.value_id.replace("countershaft", id),
         limit_id=drain_check.limit_id.replace("countershaft", id),

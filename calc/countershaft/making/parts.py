@@ -6,7 +6,7 @@ Each part where it is asked for."""
 import cmath
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.deferred import Later, Many
 from ...sheet.linked_array import column
 from ...sheet.quantity import dotted
+from ...sheet.record import replace
 from ...sheet.step import Curve, Outcome, Table
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import KilogramPerMetre3, Metre, Number, RadPerSecond

@@ -10,7 +10,6 @@ the holes allow.  That may cost a shaft that is too light some of its couple."""
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from random import Random
 
 import numpy as np
@@ -21,7 +20,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
 from ...sheet.linked_array import column
 from ...sheet.quantity import dotted, result, value
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.step import Curve, Series, Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import (

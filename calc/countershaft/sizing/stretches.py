@@ -13,7 +13,6 @@ the flywheel."""
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -25,6 +24,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import argument, cos, joined, largest, modulus, root
 from ...sheet.linked_array import column, gathered
 from ...sheet.quantity import result
+from ...sheet.record import replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
     Kilogram,

@@ -8,7 +8,7 @@ In order: the formulas, what rolling costs, one mesh solved, many operating poin
 what is assumed of oil and flanks may be arrays: N operating points in one call, whose results are arrays of N."""
 
 from collections.abc import Callable
-from dataclasses import field, replace
+from dataclasses import field
 from typing import Any, TypeVar
 
 import numpy as np
@@ -20,7 +20,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import along, single_or_many, sqrt
 from ...sheet.quantity import result, value
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import (
     Celsius,

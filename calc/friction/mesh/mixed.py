@@ -30,7 +30,6 @@ Matsumoto's law of the same table needs the peaks' height Rz and the least film,
 offered."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Annotated, Any
 
 import numpy as np
@@ -39,7 +38,7 @@ from ...library.contact import mean_roughness
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import cos, erf, largest, smallest, sqrt
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import KelvinPerWatt, Metre, Number, Pascal, Radian
 from ..inputs import FrictionInputs

@@ -14,7 +14,6 @@ The friction heat warms the film, warm oil rubs less: at every position the film
 The skins of the teeth have the bulk temperature, unless the bodies' own resistance to heat is given (`loss.py`)."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,7 +22,7 @@ from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import asinh, exp, ln, power, smallest, sqrt
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
     Celsius,

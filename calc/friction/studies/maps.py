@@ -7,14 +7,13 @@ are given stay. A train alone carries its torque at every speed."""
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, RevPerSecond, Watt

@@ -6,7 +6,6 @@ the friction source's, mesh by mesh, in a table and in nine curves along the pat
 drawn together."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -17,6 +16,7 @@ from ...library.catalogue import Oil
 from ...library.lubricant import Lubricant
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted
+from ...sheet.record import replace
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text, listed
 from ...sheet.units import Celsius, Watt

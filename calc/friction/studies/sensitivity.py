@@ -6,14 +6,13 @@ A range is what the sources support: the spread of published values where there 
 program, and it says which."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text, listed
 from ...sheet.units import Number, Watt

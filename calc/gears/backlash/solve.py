@@ -3,12 +3,11 @@
 last wheel turn."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from ...library.catalogue import Material
 from ...sheet.check import Check
 from ...sheet.linked_array import gathered
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.step import Curve, Table
 from ...sheet.text import Text
 from ...sheet.units import NewtonMetre

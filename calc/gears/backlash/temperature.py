@@ -3,13 +3,12 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Generic
 
 from ...library.catalogue import Material
 from ...sheet.arrays import Value
 from ...sheet.errors import NoSolution
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Text
 from ...sheet.units import Celsius, Kelvin, Metre, Number, PerKelvin, Radian
 from ...sheet.value import about

@@ -7,7 +7,6 @@ hangs on its shaft; mesh losses are none of it."""
 import cmath
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from ...library.catalogue import Material
 from ...sheet.arrays import Array
 from ...sheet.formula import formula
 from ...sheet.functions import pi
+from ...sheet.record import replace
 from ...sheet.text import Text
 from ...sheet.units import (
     Kilogram,

@@ -5,12 +5,12 @@ its flanks, and where the nominal backlash stands between jam and rattle.
 Made when somebody looks: the map of 60 speeds costs a keystroke or two."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from ...sheet.arrays import Array
+from ...sheet.record import replace
 from ...sheet.step import Curve, Series, Walk, axis_label
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.value import untraced

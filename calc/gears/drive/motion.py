@@ -6,7 +6,6 @@ in mesh have equal x whatever their ratio; an idler is one mass.  The motion of 
 does not act back on it but through its inertia."""
 
 import math
-from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -14,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ...sheet.arrays import Array, BoolArray, ComplexArray
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.units import Radian
 
 FEWEST_NODES, NODES_A_WAVE = 120, 15

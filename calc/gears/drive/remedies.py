@@ -7,7 +7,6 @@ hardly slows a strike down unless it closes the flanks."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property
 from itertools import combinations
 from typing import Protocol
@@ -21,7 +20,7 @@ from ...sheet.check import THIN_MARGIN
 from ...sheet.deferred import Later
 from ...sheet.functions import cos, inv, sin
 from ...sheet.quantity import described, dotted
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.remedy import Change, Remedy, change, digits, remedy, whole
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Number

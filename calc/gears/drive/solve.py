@@ -6,7 +6,6 @@ of the strikes in place of that torque."""
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import reduce
 
 import numpy as np
@@ -18,6 +17,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.linked_array import item
 from ...sheet.quantity import Described, Stated
+from ...sheet.record import replace
 from ...sheet.step import Outcome, finite
 from ...sheet.text import Text
 from ...sheet.units import (

@@ -6,12 +6,11 @@ load and its speed.  Where flanks part, both flanks of a tooth are struck in tur
 sides."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from fractions import Fraction
 
 from ...sheet.formula import formula
 from ...sheet.functions import cos, floor
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, Number, Radian, RevPerSecond, Second
 from ...sheet.value import about

@@ -3,13 +3,13 @@
 
 import math
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 
 from ...sheet.check import Check
 from ...sheet.deferred import Later
+from ...sheet.record import replace
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from ...sheet.units import Newton, Number

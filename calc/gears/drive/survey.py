@@ -4,12 +4,11 @@
 One survey is made for what is judged (12 speeds, three loads), another where a map is drawn."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 import numpy as np
 
 from ...sheet.arrays import Array, BoolArray
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.units import Number
 from .forces import Impacts, impacts
 from .line import TrainOnLine

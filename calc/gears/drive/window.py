@@ -6,13 +6,12 @@ All along the transverse line of action, summed over the meshes of the way that 
 of the body that strikes last on it.  The sum does not keep one mesh from jamming: each has its own checks."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
 
 from ...sheet.check import Check
 from ...sheet.deferred import Later
 from ...sheet.formula import formula
 from ...sheet.functions import asin, cos, smallest
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.remedy import Remedy
 from ...sheet.step import Outcome
 from ...sheet.text import COMMA, EMPTY, Amount, Text

@@ -5,7 +5,6 @@ Two wheels in a row between placed ones get the free angle with the most room; m
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -14,7 +13,7 @@ import numpy as np
 from ...sheet.arrays import Array, ComplexArray
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.remedy import Remedy, by_key, change, remedy
 from ...sheet.text import EMPTY, Amount, Name, Text, alternatives, listed
 from ...sheet.units import Metre, Number, Radian

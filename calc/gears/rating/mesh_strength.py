@@ -5,13 +5,12 @@ The stresses come in as nominal ones (K = 1) with the product of their load fact
 from its class, its life and its surface.  S_H and S_F are on stress; on load, S_H counts squared and S_F as it is."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import cache
 
 from ...library.catalogue import Material
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import Described, Stated
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Newton, Number, Pascal, Radian, SquareMetrePerSecond
 from ...sheet.value import about

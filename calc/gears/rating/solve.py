@@ -3,14 +3,13 @@
 screening."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from functools import cache
 
 from ...library.catalogue import Material
 from ...sheet.deferred import Later
 from ...sheet.formula import formula
 from ...sheet.quantity import Described, Stated
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.step import Outcome, Table, finite
 from ...sheet.text import Text
 from ...sheet.units import Newton, NewtonMetre, Number, Pascal, RevPerSecond

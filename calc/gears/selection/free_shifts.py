@@ -6,11 +6,10 @@ centre distance leaves one more free; it can be held where it is now, left to wh
 
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import replace
 
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import COMMA, Amount, Text, listed, plural
 from ...sheet.units import Metre
 from ..inputs import GearsInputs, wheel_key

@@ -7,13 +7,12 @@ it."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 
 from ...sheet.check import ORDER, Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, tell
 from ...sheet.quantity import described, keys
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.remedy import Changes
 from ...sheet.step import Table
 from ...sheet.text import EMPTY, SEMICOLON, Amount, Text

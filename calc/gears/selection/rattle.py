@@ -2,9 +2,9 @@
 """How a train rattles with the shifts of a row: what they change of it is its backlash alone."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ...sheet.errors import NoSolution
+from ...sheet.record import replace
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import MetrePerSecond
 from ...sheet.value import untraced

@@ -5,13 +5,12 @@ In this order: the optimum of each way to leave shifts free, what each pair alon
 optimum, tip cuts with the shifts as they are, and tip cuts with the shift that is then the best."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, part, tell
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.search import Judged, governing, least, least_wanted, stretch
 from ...sheet.text import EMPTY, Name, Text
 from ..inputs import GearsInputs

@@ -5,12 +5,11 @@ Of the teeth: sliding, contact, tips and clearances.  The formulas are those of 
 element for each combination."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 
 import numpy as np
 
 from ...sheet.arrays import Array, Num
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.search import Judged, judged, least
 from ...sheet.text import Name, Text
 from ...sheet.units import Metre, Number

@@ -2,10 +2,10 @@
 """What was found, as tables, and the keys that put a row into a design file."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
+from ...sheet.record import replace
 from ...sheet.remedy import Changes
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, SPACE, Amount, Name, Text, listed, plural

@@ -3,7 +3,6 @@
 it runs."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,7 +23,7 @@ from ...library.journal_rules import LENGTH_RATIO, USUAL_LENGTH_RATIO
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array
 from ...sheet.errors import BadInput, NoSolution
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.step import Outcome
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Kilogram

@@ -8,7 +8,6 @@ The load of a journal is that of the shaft the class starts from.  Each shaft be
 adds to the load is another: up to 0.1 % of the load, and 0.03 % of the power."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -31,7 +30,7 @@ from ...engine.operation import BenchPoint
 from ...library.journal_rules import SUPPLY_WIDTH
 from ...sheet.arrays import Array, BoolArray
 from ...sheet.check import CheckRule
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.search import multiples
 from ...sheet.units import Metre, Newton, Number, Radian, Watt
 

@@ -5,7 +5,6 @@ Values are those of [optimise.vary] or by rule; what is wrong with those that ar
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from fnmatch import fnmatchcase
 from itertools import product
 from typing import Any
@@ -46,7 +45,7 @@ from ...library.tolerances import problem as fit_problem
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.quantity import dotted
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.remedy import Changes
 from ...sheet.search import multiples
 from ...sheet.text import COMMA, EMPTY, Name, Text

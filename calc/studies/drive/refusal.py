@@ -8,7 +8,6 @@ solution before it is said."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -26,7 +25,7 @@ from ...library.tolerances import parse
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, tell
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import COMMA, EMPTY, Name, Text
 from ...sheet.value import untraced
 from .classes import NotClosed, class_with, sized

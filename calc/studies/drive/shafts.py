@@ -11,7 +11,6 @@ z from mid-shaft, + towards the flywheel; SI throughout.
 """
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
@@ -23,7 +22,7 @@ from ...countershaft.sizing.sectors import NEAR, too_narrow
 from ...draw.drawing import TOUCH
 from ...library.catalogue import Material
 from ...sheet.arrays import Array, BoolArray
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RadPerSecond
 
 # of m·ω²·L²·θ/C: the share that the mass of a bent shaft adds to a slope as it turns; by trying, bearings about the

@@ -3,7 +3,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from ...countershaft.checks import ENVELOPE, ENVELOPE_LENGTH
 from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
@@ -25,6 +25,7 @@ from ...gears.rating.checks import SAFETY_BENDING, SAFETY_CONTACT
 from ...sheet.check import Check, CheckRule
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, part
+from ...sheet.record import replace
 from ...sheet.remedy import Changes, assignments
 from ...sheet.search import Budget
 from ...sheet.step import Outcome

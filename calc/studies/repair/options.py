@@ -8,7 +8,7 @@ breaks something else, then one that only comes nearer.  What is locked is shown
 import math
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import islice
 
 from ...bearings.inputs import BearingsInputs
@@ -48,6 +48,7 @@ from ...sheet.deferred import Later
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, part, tell
 from ...sheet.quantity import Quantity, dotted
+from ...sheet.record import replace
 from ...sheet.remedy import Changes
 from ...sheet.search import Budget, closer, rounded
 from ...sheet.text import EMPTY, Small, Text

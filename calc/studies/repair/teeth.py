@@ -9,7 +9,6 @@ rows of that search."""
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 
@@ -29,6 +28,7 @@ from ...sheet.arrays import Array
 from ...sheet.check import THIN_MARGIN, Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, part, tell
+from ...sheet.record import replace
 from ...sheet.remedy import Changes, whole
 from ...sheet.search import first, least
 from ...sheet.text import Amount, Text

@@ -3,7 +3,6 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from functools import cache
 from itertools import product
 
@@ -22,7 +21,7 @@ from ...mounting.inputs import Mount, MountingInputs, Point
 from ...mounting.result import MountingResult
 from ...sheet.errors import BadInput, NoSolution, text_of
 from ...sheet.quantity import dotted, keys
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Metre
 from ...sheet.value import recorded

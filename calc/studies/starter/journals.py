@@ -5,7 +5,6 @@ oil of least friction, by the search for bearings.
 A shaft that passes its seats has journals as large as it asks, in the housing itself."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
@@ -27,6 +26,7 @@ from ...design.toml_file import Document, design
 from ...library.lubricant import Lubricant
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, keys
+from ...sheet.record import replace
 from ...sheet.text import SEMICOLON, Text
 from ...sheet.units import Metre, Number
 from ...solve import Results, solve

@@ -10,7 +10,6 @@ halves, which passes nothing."""
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from itertools import repeat
 
 from ...bearings.inputs import BearingsInputs
@@ -34,7 +33,7 @@ from ...engine.operation import Operation
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, keys
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import COMMA, Amount, Text
 from ...sheet.units import Metre, Number, Second
 from ...sheet.value import recorded

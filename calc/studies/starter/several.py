@@ -9,7 +9,6 @@ of it; all else two."""
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 
 from ...bearings.inputs import BearingsInputs
 from ...bearings.plain.selection.variants import STANDARD
@@ -26,7 +25,7 @@ from ...imbalance.checks import FIRST
 from ...imbalance.result import ImbalanceResult
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Text
 from ...sheet.units import Kilogram, Metre, Newton, Watt
 from ...sheet.value import untraced

@@ -3,7 +3,6 @@
 straight.  It is laid into a divided housing, so that its journals are as thin as their load allows."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
@@ -22,7 +21,7 @@ from ...engine.result import EngineResult
 from ...imbalance.result import ImbalanceResult
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import gathered
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Newton, Radian, RadPerSecond, RevPerSecond
 from ...sheet.value import untraced

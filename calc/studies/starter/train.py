@@ -11,7 +11,6 @@ those that keep every limit."""
 import math
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import product
 
 from ...countershaft.result import CountershaftResult
@@ -29,7 +28,7 @@ from ...gears.result import TrainResult
 from ...gears.wheel_inputs import Wheel
 from ...sheet.check import THIN_MARGIN, URGENT
 from ...sheet.errors import BadInput, NoSolution
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import SEMICOLON, Text
 from ...sheet.units import Metre, Radian
 from ...sheet.value import untraced

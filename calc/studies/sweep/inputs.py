@@ -4,7 +4,6 @@
 import csv
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from math import prod
 from pathlib import Path
@@ -18,7 +17,7 @@ from ...design.upgrade import MANY, current
 from ...sheet.arrays import Array
 from ...sheet.errors import BadInput, InputError
 from ...sheet.quantity import Quantity
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Text
 
 Value = float | str

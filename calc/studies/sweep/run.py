@@ -5,14 +5,13 @@ Chunks keep no state and are computed once.  A chunk that is kept is taken over 
 that one that was ended goes on where it stood."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 from difflib import get_close_matches
 
 from ...bearings.plain.routes.side_by_side import COMPARED
 from ...design.model import Design
 from ...design.toml_file import Document, design
 from ...sheet.errors import BadInput, InputError
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Text
 from ...sheet.value import recorded
 from ...solve import Results, solve

@@ -9,7 +9,6 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from importlib import import_module
 from math import isfinite
 from pathlib import Path
@@ -18,7 +17,7 @@ from typing import Any, Protocol, TextIO
 from ...design.addresses import quantity_of
 from ...design.toml_file import Document
 from ...sheet.errors import InputError, NoSolution
-from ...sheet.record import record
+from ...sheet.record import record, replace
 from ...sheet.text import Text
 from ...sheet.version import VERSION
 from .inputs import Combination, SweepPlan, Varied

@@ -1,13 +1,13 @@
 """Records: what they refuse, and how they print themselves."""
 
-from dataclasses import FrozenInstanceError, field, replace
+from dataclasses import FrozenInstanceError, field
 from inspect import signature
 
 import pytest
 
 from calc.countershaft.rows import BearingRow
 from calc.sheet.quantity import Described, Stated, group, result, value
-from calc.sheet.record import record
+from calc.sheet.record import record, replace
 from calc.sheet.text import Text
 
 
@@ -54,6 +54,15 @@ def test_a_record_is_made_as_the_library_makes_it():
     assert str(signature(Point)) == "(x: float, y: float, names: tuple[str, ...] = ()) -> None"
     with pytest.raises(TypeError, match=r"Made.__init__\(\) takes from 2 to 3 positional arguments but 4 were given"):
         Made(1.0, [], 3)
+
+
+def test_a_record_is_changed_as_the_library_changes_it():
+    point = Point(1.0, 2.0, ("a",))
+    point.__dict__["kept"] = "what was worked out of it stays behind"
+    other = replace(point, y=3.0)
+    assert (other.x, other.y, other.names, point.y) == (1.0, 3.0, ("a",), 2.0) and not hasattr(other, "kept")
+    with pytest.raises(TypeError, match="Point has no z"):
+        replace(point, z=1.0)
 
 
 def test_a_record_is_written_once():

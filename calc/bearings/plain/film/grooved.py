@@ -18,7 +18,6 @@ Against Someya's data book (two grooves of 10° at ±90° to the load): see `tes
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
 from functools import cache, lru_cache
 from typing import Any, Generic, NamedTuple
 
@@ -28,7 +27,7 @@ from ....sheet.arrays import Array, Value
 from ....sheet.arrays import BoolArray as Mask
 from ....sheet.formula import formula
 from ....sheet.functions import root
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.text import Text
 from ....sheet.units import Number, Radian
 from .reynolds import (

@@ -6,7 +6,6 @@ The own solution of Reynolds' equation judges; the others are shown beside it on
 the notes, the spread and what is published read it there, in the order in which the functions stand here."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,7 @@ import numpy as np
 from ....library.journal_rules import specific_load
 from ....library.lubricant import OilState
 from ....sheet.errors import NoSolution
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ....sheet.value import based_on, recorder
 from .. import formulas as f

@@ -4,14 +4,13 @@
 Every number may be an array (many bearings, corners, speeds at once), which `[Any]` says; then the film's are, with nan
 where there is none."""
 
-from dataclasses import replace
 from typing import Any, Generic
 
 from ....countershaft.rows import BearingRow
 from ....library.lubricant import Lubricant, OilState
 from ....sheet.arrays import Value
 from ....sheet.quantity import result, value
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.value import based_on
 from ...inputs import BearingsInputs
 from ...support import OperatingPoint as OperatingPoint

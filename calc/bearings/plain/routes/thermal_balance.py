@@ -7,7 +7,6 @@ the own solution."""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -18,6 +17,7 @@ from ....sheet.arrays import Array, IndexArray, Num
 from ....sheet.errors import NoSolution, text_of
 from ....sheet.functions import root
 from ....sheet.progress import go_on
+from ....sheet.record import replace
 from ....sheet.text import Amount, Text
 from ....sheet.value import converged, recorder, unlinked, untraced
 from .. import formulas as f

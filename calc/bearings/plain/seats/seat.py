@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """How bush or shells sit in their housing: the interference, given or chosen, and what follows from it."""
 
-from dataclasses import replace
-
 from ....countershaft.rows import BearingRow
 from ....library.catalogue import Material
 from ....library.tolerances import tolerance
+from ....sheet.record import replace
 from ....sheet.units import Celsius, Metre, Newton, Number, RadPerSecond, Watt
 from ....sheet.value import based_on, untraced
 from ...inputs import BearingsInputs

@@ -2,11 +2,10 @@
 """One bearing with what is pressed in: its interference and its clearance before the film is solved, what follows for
 the seat once it is, and the film as the split of shells passes."""
 
-from dataclasses import replace
-
 import numpy as np
 
 from ....sheet.arrays import Array
+from ....sheet.record import replace
 from ....sheet.units import Celsius, Metre, Newton, Number
 from ....sheet.value import based_on, untraced
 from .. import formulas as film_by

@@ -6,7 +6,6 @@ relief and wall are drawn larger."""
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ....countershaft.rows import BearingRow, called, row_key
@@ -31,6 +30,7 @@ from ....draw.drawing import (
 )
 from ....sheet.check import Check
 from ....sheet.quantity import dotted
+from ....sheet.record import replace
 from ....sheet.text import Amount, Text
 from ....sheet.units import Metre, Number, Radian
 from ...inputs import BearingsInputs

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the clearance of one bearing is made of: housing bore, walls, journal."""
 
-from dataclasses import replace
-
 from ....countershaft.rows import BearingRow
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.text import Text
 from ....sheet.units import Metre
 from ....sheet.value import based_on, untraced

@@ -2,13 +2,13 @@
 """A seat over temperature: bore, journal, clearance and the pressure of its fit, as a table and as curves."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ....countershaft.rows import called
 from ....sheet.arrays import Array
+from ....sheet.record import replace
 from ....sheet.step import Curve, Series, Table, axis_label
 from ....sheet.text import EMPTY, Amount, Text
 from ....sheet.units import Celsius, Metre

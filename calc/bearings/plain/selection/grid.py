@@ -8,7 +8,6 @@ begins to thin by shear)."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -17,7 +16,7 @@ from ....library.journal_rules import specific_load
 from ....sheet.arrays import Array, BoolArray, IndexArray
 from ....sheet.check import THIN_MARGIN, CheckRule
 from ....sheet.quantity import described
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.search import Judged, least, multiples
 from ....sheet.units import Metre, Number, Radian
 from ..checks import FILM_EDGE, LENGTH_RATIO, SPECIFIC_LOAD, TEMPERATURE

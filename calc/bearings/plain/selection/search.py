@@ -8,7 +8,6 @@ First what fits the room on the shaft; where nothing does, what keeps the limits
 that are only assumed is passed; and beside it what is too long for the room."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 
 from ....countershaft.checks import JOURNAL_SLOPE
 from ....countershaft.outline import CROSSING
@@ -17,7 +16,7 @@ from ....countershaft.rows import called
 from ....sheet.check import Check
 from ....sheet.errors import NoSolution
 from ....sheet.progress import Progress, part, rising, tell
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.text import COMMA, EMPTY, SEMICOLON, Text
 from ....sheet.units import Metre, Number, Radian
 from ..checks import CLEARANCE_COLD_CORNER, FILM_EDGE_CORNER, TEMPERATURE_CORNER

@@ -10,7 +10,6 @@ candidate may also be judged as it is given, as the limits of the step do."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -26,7 +25,7 @@ from ....sheet.arrays import Array, IndexArray, Num
 from ....sheet.check import DEGREES, THIN_MARGIN, Check, CheckRule
 from ....sheet.errors import NoSolution
 from ....sheet.linked_array import column
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.search import Judged, judged
 from ....sheet.text import EMPTY, Amount, Name, Small, Text
 from ....sheet.units import UNITS, Kelvin, Metre, Number, Radian
@@ -154,9 +153,9 @@ def rules(
         idle = Text("the {row} bearing carries next to nothing", row=called(place))
         raise NoSolution(idle, Text("its film is not judged"), Text("look at the masses of the shaft first"))
     asked = [*READ, *(rule for rule in OF_SEATS if rule.of(place) in by_id)]
-    known = {rule: by_id[rule.of(place)].but(missing=(), taken=(), at_best=None, at_worst=None) for rule in asked}
+    known = {rule: replace(by_id[rule.of(place)], missing=(), taken=(), at_best=None, at_worst=None) for rule in asked}
     outlet, film = known[TEMPERATURE].nearest[1], UNITS["µm"].inside(known[FILM_EDGE].nearest[1])
-    known[TEMPERATURE] = known[TEMPERATURE].but(limit=outlet - OUTLET_RESERVE)
+    known[TEMPERATURE] = replace(known[TEMPERATURE], limit=outlet - OUTLET_RESERVE)
     nought = math.nan  # what is judged are the candidates
     made = (
         on_bearing(FILM_EDGE_SHEARED, place, nought, film),
@@ -345,7 +344,9 @@ class BearingTask:
         yield self
         for level, (Ra_1, Ra_2) in enumerate(smoother(bearing.journal_roughness, bearing.housing_roughness), 1):
             asked = UNITS["µm"].shown(film_asked(self.seat.inputs, Ra_1, Ra_2))
-            films = {rule: BearingRule(self.rules[rule].check.but(limit=asked)) for rule in EDGES if rule in self.rules}
+            films = {
+                rule: BearingRule(replace(self.rules[rule].check, limit=asked)) for rule in EDGES if rule in self.rules
+            }
             surfaces = replace(bearing, journal_roughness=Ra_1, housing_roughness=Ra_2)
             yield replace(self, seat=replace(self.seat, bearing=surfaces), rules={**self.rules, **films}, level=level)
 

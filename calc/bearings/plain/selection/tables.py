@@ -5,13 +5,12 @@ Each neighbour of a row has the rule that refuses it, or what it costs."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 
 from ....countershaft.rows import called
 from ....library.makers import journals
 from ....sheet.check import Check, CheckRule
 from ....sheet.number import short
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.search import beside
 from ....sheet.step import Table
 from ....sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, listed, plural

@@ -8,7 +8,6 @@ supply, surfaces and fits stay: they are of all shafts."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -18,7 +17,7 @@ from ....sheet.arrays import Array
 from ....sheet.check import Check, CheckRule, Kind
 from ....sheet.errors import NoSolution
 from ....sheet.progress import Progress, tell
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.search import first, least
 from ....sheet.step import Table
 from ....sheet.text import EMPTY, SEMICOLON, Amount, Text

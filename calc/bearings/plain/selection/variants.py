@@ -3,7 +3,6 @@
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from functools import lru_cache
 from typing import Protocol, TypeVar
 
@@ -19,7 +18,7 @@ from ....library.journal_rules import LENGTH_RATIO, specific_load
 from ....library.lubricant import Lubricant
 from ....sheet.check import Check
 from ....sheet.errors import NoSolution
-from ....sheet.record import record
+from ....sheet.record import record, replace
 from ....sheet.search import least
 from ....sheet.step import Outcome
 from ....sheet.text import EMPTY, Text

@@ -322,7 +322,9 @@ def test_a_wheel_without_a_class_is_not_verified():
 # --- outside the validity
 def weakened(method):
     """The factors by which checks are known less well when a check of the method is passed over."""
-    roots = {wheel: of_roots(2.8)["safety_bending"].but(id=f"gears.{wheel}.safety_bending") for wheel in TRAIN.wheels}
+    roots = {
+        wheel: replace(of_roots(2.8)["safety_bending"], id=f"gears.{wheel}.safety_bending") for wheel in TRAIN.wheels
+    }
     flank = of_flanks((2.0, 2.0))["safety_contact"]
     checks = stretched((method, flank, *roots.values()))
     return {c.id: c.value / c.at_worst for c in checks if c.outside}
@@ -346,8 +348,8 @@ def test_a_formula_outside_its_validity_weakens_what_stands_on_it(method, factor
 
 def test_a_load_that_is_too_small_in_both_meshes_of_a_wheel_is_counted_once():
     low = of_influence(line_load=40e3)["line_load"]
-    root = of_roots(2.8)["safety_bending"].but(id="gears.idler.safety_bending")
-    other = low.but(id="gears.idler_shaft.line_load")
+    root = replace(of_roots(2.8)["safety_bending"], id="gears.idler.safety_bending")
+    other = replace(low, id="gears.idler_shaft.line_load")
     *_, check = stretched((low, other, root))
     assert check.outside == (low.id, other.id) and check.at_worst == pytest.approx(1.4)
     assert check.verdict == "pass"
