@@ -6,6 +6,7 @@ Two records are equal only where they are the same object."""
 import dataclasses
 from collections.abc import Callable
 from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields
+from functools import cache
 from typing import TYPE_CHECKING, Any, TypeVar, dataclass_transform
 
 from . import number
@@ -22,17 +23,28 @@ def frozen(cls: type[T], *, kw_only: bool = False) -> type[T]:
     """What a record is.  `kw_only`: made by keywords alone."""
     cls.__doc__ = cls.__doc__ or cls.__name__  # else the library writes one from the signature, which takes long
     record_class = dataclass(repr=False, eq=False, init=False, kw_only=kw_only)(cls)
-    record_class.__init__ = _init(record_class)  # type: ignore[method-assign]
+    record_class.__init__ = _Init(record_class)  # type: ignore[method-assign, assignment]
     record_class.__setattr__ = _once  # type: ignore[method-assign]
     record_class.__repr__ = number.line  # type: ignore[method-assign]
-    record_class._copied = _copied(record_class)  # type: ignore[attr-defined]
     if record_class.__str__ is object.__str__:  # a class may say more of itself
         record_class.__str__ = number.table  # type: ignore[method-assign]
     return record_class
 
 
+class _Init:
+    """As the library writes it, but straight into what the record holds, past `_once`: a twelfth of every solve.  And
+    not before the first record of its class: half of them are never made in one run."""
+
+    def __init__(self, cls: type) -> None:
+        self.cls = cls
+
+    def __get__(self, record: object, cls: type) -> Callable[..., None]:
+        made = self.cls.__init__ = _init(self.cls)  # type: ignore[misc]
+        method: Callable[..., None] = made.__get__(record, cls)
+        return method
+
+
 def _init(cls: type) -> Callable[..., None]:
-    """As the library writes it, but straight into what the record holds, past `_once`: a twelfth of every solve."""
     arguments, lines = ["_self"], ["_held = _self.__dict__"]
     names: dict[str, Any] = {"_NEW": object()}
     for f in sorted(fields(cls), key=lambda f: f.kw_only is True):
@@ -54,9 +66,11 @@ def _init(cls: type) -> Callable[..., None]:
     return init
 
 
+@cache
 def _copied(cls: type) -> tuple[str, ...] | None:
     """The fields that make one record of another; None where more has to be done than to copy them."""
-    plain = all(f.init for f in fields(cls)) and not hasattr(cls, "__post_init__")
+    setter: object = cls.__setattr__
+    plain = setter is _once and all(f.init for f in fields(cls)) and not hasattr(cls, "__post_init__")
     return tuple(f.name for f in fields(cls)) if plain else None
 
 
@@ -66,7 +80,7 @@ else:
 
     def replace(of: T, /, **changes: Any) -> T:
         """What `dataclasses.replace` does, for records in a third of the time: a solve changes some hundred of them."""
-        names = getattr(type(of), "_copied", None)
+        names = _copied(type(of))
         if names is None:
             return dataclasses.replace(of, **changes)
         held = of.__dict__
