@@ -91,7 +91,7 @@ def prepare(engine: EngineInputs, e: EngineResult, gas: GasInputs) -> Cycle:
     alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=eps_p)
     beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
     x_p = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-    corners = np.unique([0.0, eps_p, eps_bdc, length - TURN, length - TURN + eps_bdc])
+    corners = np.array(sorted({0.0, eps_p, eps_bdc, length - TURN, length - TURN + eps_bdc}))
     corners = based_on(corners, eps_p, eps_bdc, engine.strokes)
     given = c.MixedCycle(e.stroke, gas.peak_pressure, p_in, p_ex, n_c, n_e, eps_p, eps_bdc, h_c, x_p)
     return Cycle(length, crankcase, corners, given, tuple(notes), p_c)

@@ -82,7 +82,7 @@ def strikes_over_speed(drive: DriveResult) -> Curve:
 def cycles(drive: DriveResult) -> Iterator[Curve]:
     """Force and way in the mesh that strikes hardest at idle, at idle and where the train strikes hardest; the session
     walks over all speeds and loads that are judged."""
-    speeds = np.unique(drive.survey.speeds)
+    speeds = drive.survey.each_speed
     body, seen = hardest_body(drive), set[int]()
     for op in (IDLE, HARDEST):
         if op not in drive.at or drive.at[op] in seen:

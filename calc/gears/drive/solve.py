@@ -427,8 +427,9 @@ def _power(judged: Survey, p: int, i: int, sources: Sequence[object]) -> Watt:
 
 def _reversal(drive: Drive, judged: Survey, i: int) -> tuple[RevPerSecond | None, RevPerSecond | None]:
     """Between which speeds the flanks of a mesh part at any load."""
-    speeds = np.unique(judged.speeds)
-    least = np.array([judged.closed.least[judged.speeds == n, i].min() for n in speeds])
+    speeds = judged.each_speed
+    least = np.full(speeds.shape, np.inf)
+    np.minimum.at(least, np.searchsorted(speeds, judged.speeds), judged.closed.least[:, i])
     if not np.any(least < 0):
         return None, None
     n = based_on(speeds, drive.work.idle, drive.work.engine.rated_speed)

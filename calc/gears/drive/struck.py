@@ -164,7 +164,7 @@ def _springs(gears: GearsInputs, context: RatingContext, drive: DriveResult) -> 
     if IDLE not in drive.at:
         return {}
     of, line, found = drive.survey, drive.drive.line, {}
-    speeds = np.unique(of.speeds)
+    speeds = of.each_speed
     for mesh in gears.meshes:
         if mesh.scissor is None:
             continue

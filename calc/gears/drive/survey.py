@@ -4,6 +4,7 @@
 One survey is made for what is judged (12 speeds, three loads), another where a map is drawn."""
 
 from collections.abc import Callable, Mapping
+from functools import cached_property
 
 import numpy as np
 
@@ -44,6 +45,11 @@ class Survey:
     strikes: Strikes
     impacts: Impacts
     bodies: Bodies
+
+    @cached_property
+    def each_speed(self) -> Array:
+        """The speeds, each once, rising."""
+        return np.unique(self.speeds, return_index=True)[0]  # without an index it loads a package, for 20 ms
 
     def at(self, speed: float, load: float) -> int:
         """The point nearest to a speed and load."""
