@@ -306,9 +306,7 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     """Open a design, or the start page; gives the exit code."""
     # between two of the twenty turns that a key takes, the thread that solves has no more than that
     sys.setswitchinterval(0.0002)
-    # a look through all that there is, for what refers to itself, stops both threads for a tenth of a second
-    gc.freeze()
-    gc.set_threshold(10_000, 20, 100)
+    gc.freeze()  # a look through all that there is already stops both threads for a tenth of a second
     _read_alt_digits()
     memory = Memory()
     missing = path.expanduser().absolute() if path is not None and not memory.there(path.expanduser()) else None

@@ -6,6 +6,7 @@ Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 
 · 4 nothing fails, but not all that is asked holds (`check --strict`) · 70 a fault of the program itself · 130 ended by
 Ctrl-C · 141 nobody reads the output any more."""
 
+import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -19,6 +20,9 @@ from .usage import COMMANDS, parser
 
 # of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
 THREADS = ("OPENBLAS_NUM_THREADS", "1")
+# objects that are made before Python looks for those that hold each other alone, of which this program makes few: as
+# often as by default is a tenth of a check
+SELDOM = 20_000, 20, 100
 CLOSED = 141  # as the system itself would end it: no verdict
 
 
@@ -67,6 +71,7 @@ def command(given: list[str], own: bool) -> int:
             asked.error(f"unrecognized arguments: {' '.join(unknown)}")  # with the usage of the command
         if own:
             os.environ.setdefault(*THREADS)
+            gc.set_threshold(*SELDOM)
         module = import_module(f"assistant.commands.{COMMANDS[asked.command].module}")
         return int(getattr(module, f"run_{asked.command}")(asked))
     except SystemExit as usage:
