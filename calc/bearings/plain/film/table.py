@@ -213,7 +213,7 @@ def clipped(
 
 # --- the film at any eccentricity and length
 
-STEP_LIMIT = 1e-9  # Newton's last step, in parts of a table cell; its error is the square of this
+STEP_LIMIT = 1e-6  # Newton's last step, in parts of a table cell; the error behind it is its square
 ITERATION_LIMIT = 60
 ALL = slice(None)  # quantities of the table
 
@@ -226,6 +226,20 @@ def film_at(eccentricity: Value, length_ratio: Num, *, outside: Outside = "raise
     if _scalar(eccentricity) and _scalar(length_ratio):
         return _film_scalar(float(eccentricity), float(length_ratio), outside)
     return _film_array(*_many(eccentricity, length_ratio), outside)
+
+
+def film_parts(eccentricity: Any, length_ratio: Any, *, outside: Outside = "raise") -> tuple[Any, Any, Any, Any]:
+    """φ, Q/(r·c·N·l), Qs/Q and P/p_max: of `film_at` what a balance of heat asks for again and again."""
+    if not (_scalar(eccentricity) and _scalar(length_ratio)):
+        _, _, values = _read(*_many(eccentricity, length_ratio), outside)
+        return values[..., 1], values[..., 2], values[..., 3], values[..., 4]
+    try:
+        _, (_, attitude, flow, side_flow_ratio, pressure_ratio, _) = _read_scalar(eccentricity, length_ratio)
+    except FilmRangeError:
+        if outside == "nan":
+            return (math.nan,) * 4
+        raise
+    return attitude, flow, side_flow_ratio, pressure_ratio
 
 
 def film_slopes(eccentricity: Value, length_ratio: Num, *, outside: Outside = "raise") -> tuple[Value, Value]:
@@ -276,22 +290,25 @@ def eccentricity_from(sommerfeld: Value, length_ratio: Num, *, outside: Outside 
 # --- one point
 
 
-def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> FilmPoint[Any]:
-    try:
-        column = column_at(length_ratio)
-        table = film_nodes()
-        inside = within(ECCENTRICITY, eccentricity, table.eccentricities)
-    except FilmRangeError:
-        if outside == "nan":
-            return FilmPoint(*(math.nan,) * 8)
-        raise
+def _read_scalar(eccentricity: float, length_ratio: float) -> tuple[float, list[float]]:
+    """ε within the table, and its quantities there."""
+    column, table = column_at(length_ratio), film_nodes()
+    inside = within(ECCENTRICITY, eccentricity, table.eccentricities)
     x = math.atanh(inside)
     node = min(bisect_right(table.x_list, x), len(table.x_list) - 1) - 1
     step = table.x_list[node + 1] - table.x_list[node]
     weights = np.array(hermite((x - table.x_list[node]) / step, step))
-    load, attitude, flow, side_flow_ratio, pressure_ratio, damping = (
-        weights @ column.values[2 * node : 2 * node + 4]
-    ).tolist()
+    return inside, (weights @ column.values[2 * node : 2 * node + 4]).tolist()
+
+
+def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> FilmPoint[Any]:
+    try:
+        inside, values = _read_scalar(eccentricity, length_ratio)
+    except FilmRangeError:
+        if outside == "nan":
+            return FilmPoint(*(math.nan,) * 8)
+        raise
+    load, attitude, flow, side_flow_ratio, pressure_ratio, damping = values
     sommerfeld = math.exp(-load) / (2.0 * math.pi * length_ratio**2 * short_bearing_load(inside))
     friction = friction_variable(inside, sommerfeld, math.sin(attitude))
     damping = short_bearing_damping(inside) * math.exp(damping)

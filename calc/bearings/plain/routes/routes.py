@@ -173,8 +173,7 @@ def _reynolds(
         else:
             outside: table.Outside = "raise" if one_point else "nan"
             eps = table.eccentricity_from(S if one_point else np.where(g > 0, S, np.nan), ratio, outside=outside)
-            state = table.film_at(eps, ratio, outside=outside)
-            phi, Q_rel, share, p_rel = state.attitude, state.flow, state.side_flow_ratio, state.pressure_ratio
+            phi, Q_rel, share, p_rel = table.film_parts(eps, ratio, outside=outside)
         f_v = _friction_variable(duty, So, eps, phi)
         if lands == 1:
             Q_1 = flow.side_flow(Q_rel=Q_rel, share=share, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)

@@ -181,9 +181,10 @@ def settled(
     f_high, before = np.full(every.size, np.nan), np.zeros(every.size)
     rise = np.full(every.size, np.nan)
     with untraced(), np.errstate(all="ignore"):
-        film = film_at(low, every)
-        f_low = np.array(film.temperature_rise - low)
-        opened = film.clearance > 0  # a journal that is seized before it turns does not come to turn
+        cold = film_at(low, every)
+        f_low = np.array(cold.temperature_rise - low)
+        opened = cold.clearance > 0  # a journal that is seized before it turns does not come to turn
+        film = _over(cold, lambda _: np.full(every.size, np.nan))  # as it was last found at every point
         thick = every[~np.isfinite(f_low) & opened]
         low[thick], f_low[thick] = _first(excess, thick, hottest)
         live = every[f_low > 0]
@@ -201,7 +202,10 @@ def settled(
             a, b, f_a, f_b = low[left], high[left], f_low[left], f_high[left]
             secant = b - f_b * (b - a) / (f_b - f_a)
             x = np.where((secant > a) & (secant < b), secant, 0.5 * (a + b))
-            f_x = excess(x, left)
+            go_on()
+            tried = film_at(x, left)
+            _put(film, left, tried)
+            f_x = tried.temperature_rise - x
             rise[left] = x
             up = f_x > 0  # the lower end moves up
             side = np.where(up, 1.0, -1.0)
@@ -214,9 +218,9 @@ def settled(
             gone = ~np.isfinite(f_high[left]) & (high[left] - low[left] <= BREAKS_DOWN)
             left = left[~(gone | (np.abs(f_x) <= tolerance * (1 + x)) | (b - a <= tolerance))]
         unbalanced = np.zeros(every.size, dtype=bool)
-        if seat.lubricant.constant and hottest == HOTTEST:
+        if hotter.size and seat.lubricant.constant and hottest == HOTTEST:
             rise[hotter], unbalanced[hotter] = HOTTEST, True
-        film = film_at(rise, every)
+            _put(film, hotter, film_at(rise[hotter], hotter))
         there = np.abs(film.temperature_rise - rise) <= ALMOST * (1 + rise)
         there |= unbalanced
     return _over(film, lambda x: np.where(there, x, np.nan).reshape(shape))
@@ -286,6 +290,14 @@ def _each(
     asked = {name: changed(x) for name, x in vars(duty).items()}
     factor = None if seat.viscosity_factor is None else changed(seat.viscosity_factor)
     return replace(seat, clearance=changed(seat.clearance), viscosity_factor=factor), OperatingPoint(**asked)
+
+
+def _put(film: Film[Array], some: IndexArray, found: Film[Array]) -> None:
+    """Write what was found at some points into the arrays of a film."""
+    for of, more in ((film, found), (film.oil, found.oil)):
+        for name, x in vars(of).items():
+            if isinstance(x, np.ndarray):
+                x[some] = getattr(more, name)
 
 
 def _over(film: Film[Array], change: Callable[[Array], Array]) -> Film[Array]:
