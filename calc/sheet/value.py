@@ -204,6 +204,8 @@ def unlinked(x: T) -> T:
 
 
 def _unlinked(x: object) -> object:
+    if type(x) in UNLINKED:
+        return x
     plain = PLAIN.get(type(x))
     if plain is not None:
         return plain(x)

@@ -19,7 +19,7 @@ from ....sheet.functions import root
 from ....sheet.progress import go_on
 from ....sheet.record import replace
 from ....sheet.text import Amount, Text
-from ....sheet.value import converged, recorder, unlinked, untraced
+from ....sheet.value import converged, recorded, recorder, unlinked, untraced
 from .. import formulas as f
 from ..film.table import FilmRangeError
 from . import supply
@@ -180,7 +180,7 @@ def settled(
     low, high = np.zeros(every.size), np.full(every.size, hottest)
     f_high, before = np.full(every.size, np.nan), np.zeros(every.size)
     rise = np.full(every.size, np.nan)
-    with untraced(), np.errstate(all="ignore"):
+    with recorded(False), untraced(), np.errstate(all="ignore"):
         cold = film_at(low, every)
         f_low = np.array(cold.temperature_rise - low)
         opened = cold.clearance > 0  # a journal that is seized before it turns does not come to turn
