@@ -116,10 +116,14 @@ class Results:
 
     def values(self) -> dict[str, Published]:
         if not self._values:
-            published = (value for outcome in self.outcomes.values() for value in outcome.values())
-            self._values.update((id, value) for value in published for id in value.ids)
-            for id, value in list(self._values.items()):
-                self._values.setdefault(self.design.former_id(id), value)
+            for outcome in self.outcomes.values():
+                for value in outcome.values():
+                    self._values[value.id] = value
+                    if value.former:
+                        self._values[value.former] = value
+            if self.design.renamed:
+                for id, value in list(self._values.items()):
+                    self._values.setdefault(self.design.former_id(id), value)
         return self._values
 
     @property

@@ -185,6 +185,12 @@ class Design:
         """How the ids of a step of one of its shafts begin."""
         return f"{step}.{shaft}" if len(self.shafts) > 1 else step
 
+    @property
+    def renamed(self) -> bool:
+        """Whether any value or check of this design was called otherwise."""
+        wheels = self.gears.wheels if self.gears is not None else ()
+        return len(self.shafts) > 1 == len(self.originals) or any(wheel.former_name for wheel in wheels)
+
     def former_id(self, id: str) -> str:
         """What a value or check of the one shaft that is no twin was called while its name stood in no id, and what one
         of a wheel was while that had another name; the id itself where nothing of it was otherwise."""

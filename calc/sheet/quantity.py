@@ -7,7 +7,7 @@ out: None (no tables: ()) means "choose for me"; the type checker reads the same
 
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import MISSING, Field, dataclass, field, fields, is_dataclass
+from dataclasses import MISSING, Field, field, fields, is_dataclass
 from difflib import get_close_matches
 from functools import cache
 from inspect import isabstract
@@ -474,10 +474,12 @@ class Keyed:
 NO_GROUP = Group(False, "", NOTHING_RENAMED, True, True, EMPTY, NO_KEY_WORDS)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Published:
     """One result with its address: `shown` in its unit, `inside` the very object that the formulas returned.  `short`,
-    `page_one`, `headline` are those of its description, where its place lets them."""
+    `page_one`, `headline` are those of its description, where its place lets them.
+
+    Two are equal that say the same; `about` is the same object only where it was not sent to another process."""
 
     id: str
     shown: float
@@ -485,16 +487,16 @@ class Published:
     label: Text
     symbol: str
     inside: float
-    about: Described = field(compare=False)  # the same object only where it was not sent to another process
+    about: Described
     former: str = ""
     short: bool = False
     page_one: int = 0
     headline: int = 0
 
-    @property
-    def ids(self) -> tuple[str, ...]:
-        """Its address, and the one that it had, by which files and scripts still find it."""
-        return (self.id, self.former) if self.former else (self.id,)
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Published) and vars(self) | {"about": None} == vars(other) | {"about": None}
+
+    __hash__ = None  # type: ignore[assignment]
 
 
 def value(
@@ -618,41 +620,50 @@ def _gather(result: object, numbers: list[float]) -> None:
                 numbers.append(content) if about is not None else _gather(content, numbers)
 
 
-def published(result: object, prefix: str, wanted: frozenset[str] = frozenset()) -> Iterator[Published]:
+def published(result: object, prefix: str, wanted: frozenset[str] = frozenset()) -> list[Published]:
     """All values of a result with their addresses, in the order in which they are declared.  `wanted`: only the values
     at these addresses; none: all."""
-    return _inside(result, prefix, "", wanted, NO_GROUP, True, True)
+    found: list[Published] = []
+    _inside(found, result, prefix, "", wanted, NO_GROUP, True, True)
+    return found
 
 
 def _inside(
-    result: object, prefix: str, formerly: str, wanted: frozenset[str], group: Group, short: bool, leads: bool
-) -> Iterator[Published]:
+    found: list[Published],
+    result: object,
+    prefix: str,
+    formerly: str,
+    wanted: frozenset[str],
+    group: Group,
+    short: bool,
+    leads: bool,
+) -> None:
     """`formerly`: the prefix that they had.  `group`: the description of the field that holds the result; `short`,
     `leads`: what those around it let them."""
     if isinstance(result, dict):
         if group.several and len(result) == 1:
-            yield from _inside(next(iter(result.values())), prefix, formerly, wanted, NO_GROUP, short, leads)
+            _inside(found, next(iter(result.values())), prefix, formerly, wanted, NO_GROUP, short, leads)
             return
         for name, part in result.items():
             if part is None:
                 continue
             had = f"{formerly or prefix}.{group.renamed.get(name, name)}" if formerly or name in group.renamed else ""
             within = short and _lets(group.short, name), leads and _lets(group.leads, name)
-            yield from _inside(part, f"{prefix}.{name}", had, wanted, NO_GROUP, *within)
+            _inside(found, part, f"{prefix}.{name}", had, wanted, NO_GROUP, *within)
         return
     short, leads = short and bool(group.short), leads and bool(group.leads)
     if isinstance(result, Stated):
         if not wanted or prefix in wanted:
-            yield _published(prefix, result.about, result.number, formerly, short, leads)
+            found.append(_published(prefix, result.about, result.number, formerly, short, leads))
         return
     if wanted and not any(id.startswith(prefix) for id in wanted):
         return
+    before = formerly or prefix
     kind: type = type(result)
     for name, about, held, keyed in _shown(kind):
         content = getattr(result, name)
         if content is None:
             continue
-        before = formerly or prefix
         if keyed is not None and about is not None:
             for part, number in content.items():
                 own, label, symbol = keyed.of(about, part)
@@ -660,19 +671,19 @@ def _inside(
                 if number is not None and (not wanted or id in wanted):
                     of_part = replace(about, label=label, symbol=symbol)
                     had = f"{formerly}.{own}" if formerly else ""
-                    yield replace(_published(id, of_part, number, had, short, leads), about=about)
+                    found.append(replace(_published(id, of_part, number, had, short, leads), about=about))
         elif about is not None:
             key = name.rstrip("_")
             id = f"{prefix}.{key}"
             if not wanted or id in wanted:
                 had = f"{before}.{about.former or key}" if formerly or about.former else ""
-                yield _published(id, about, content, had, short, leads)
+                found.append(_published(id, about, content, had, short, leads))
         elif held.spread:
-            yield from _inside(content, prefix, formerly, wanted, held, short, leads)
+            _inside(found, content, prefix, formerly, wanted, held, short, leads)
         else:
             key = name.rstrip("_")
             had = f"{before}.{held.former or key}" if formerly or held.former else ""
-            yield from _inside(content, f"{prefix}.{key}", had, wanted, held, short, leads)
+            _inside(found, content, f"{prefix}.{key}", had, wanted, held, short, leads)
 
 
 def _lets(which: bool | tuple[str, ...], name: str) -> bool:

@@ -3,7 +3,7 @@
 
 import cmath
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Generic, Literal, TypeVar, cast
 
@@ -265,10 +265,9 @@ class Outcome(Generic[R]):
         """`WARN: 2 cautions`."""
         return verdict_words(self.verdict, self.counts)
 
-    def values(self, wanted: frozenset[str] = frozenset()) -> Iterator[Published]:
+    def values(self, wanted: frozenset[str] = frozenset()) -> list[Published]:
         """All values of the step, or those whose ids are `wanted`."""
-        if self.result is not None:
-            yield from published(self.result, self.key, wanted=wanted)
+        return published(self.result, self.key, wanted=wanted) if self.result is not None else []
 
 
 # --- several shafts: a step has an outcome of each

@@ -300,7 +300,7 @@ def test_the_reference_diameter_is_found_by_its_old_name_too():
     value = results.values()["gears.crank.reference_diameter"]
     assert results.values()["gears.crank.pitch_diameter"] == value and value.label == "Reference diameter"
     assert [v.id for v in results.outcomes["gears"].values() if "pitch_diameter" in v.id] == []
-    assert value.ids == ("gears.crank.reference_diameter", "gears.crank.pitch_diameter")
+    assert (value.id, value.former) == ("gears.crank.reference_diameter", "gears.crank.pitch_diameter")
 
 
 @pytest.mark.parametrize("part", ["backlash", "layout", "rating"])

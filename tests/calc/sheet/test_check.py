@@ -429,9 +429,9 @@ def test_a_group_that_is_renamed_is_found_by_its_former_name():
         each: dict[str, Found] = group()
 
     one = Found(film=9.5e-6, lambda_=0.3)
-    ids = [v.ids for v in published(Outer(film=1e-6, now=one, each={"a": one}), "x")]
-    assert ids[:3] == [("x.film",), ("x.now.film", "x.once.film"), ("x.now.lambda", "x.once.lambda")]
-    assert ids[3:] == [("x.each.a.film",), ("x.each.a.lambda",)]
+    ids = [(v.id, v.former) for v in published(Outer(film=1e-6, now=one, each={"a": one}), "x")]
+    assert ids[:3] == [("x.film", ""), ("x.now.film", "x.once.film"), ("x.now.lambda", "x.once.lambda")]
+    assert ids[3:] == [("x.each.a.film", ""), ("x.each.a.lambda", "")]
 
 
 def test_the_names_of_a_dict_may_stand_in_the_address_only_where_there_are_several():
