@@ -11,6 +11,7 @@ from textual.content import Content
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
+from calc.design.labels import Place, label_of
 from calc.design.model import STEPS
 from calc.design.toml_file import REMARKS
 from calc.sheet.expression import plain, symbol
@@ -19,7 +20,6 @@ from calc.sheet.text import COMMA, Amount, Text
 from ..actions import ACTIONS, BY_ID, ELSEWHERE, bound, is_typed, key_names
 from ..base_app import BaseApp
 from ..session.guide import GUIDES, title_of
-from ..session.places import Place, label_of
 from ..widgets.checks import Checks
 from ..widgets.headings import ArrayHeading, TableHeading
 from ..widgets.rows import allowed, meaning

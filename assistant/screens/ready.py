@@ -14,6 +14,7 @@ from textual.widgets import Static
 
 from calc.countershaft import sketch as shaft
 from calc.design.key_results import outside
+from calc.design.labels import label_of
 from calc.design.model import STEPS
 from calc.design.unusual import unusual
 from calc.engine import sketch as engine
@@ -27,7 +28,7 @@ from calc.studies.ready import OF_PROGRAM, SOLVED, StepState
 from ..actions import bound
 from ..base_app import BaseApp
 from ..session.guide import title_of
-from ..session.places import label_of, named_key
+from ..session.places import named_key
 from ..session.session import Session
 from ..session.wording import not_repeated
 from ..widgets.canvas import draw

@@ -22,6 +22,7 @@ from textual.worker import get_current_worker
 
 from calc.design.addresses import Table as Data
 from calc.design.addresses import value_at
+from calc.design.labels import label_of
 from calc.design.locks import locked
 from calc.design.model import OPTIONAL, STEPS, TITLES
 from calc.design.names import words as words_of
@@ -41,7 +42,6 @@ from ..base_app import BaseApp
 from ..offers import NOTHING, Offer, offer, with_nearest
 from ..session.compare_with import Chosen
 from ..session.editing import applied, held_words, locked_text, told
-from ..session.places import label_of
 from ..session.session import Session
 from ..session.solving import Answer, Job, mistake, run
 from ..widgets.item_list import Item, ItemList

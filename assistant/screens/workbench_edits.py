@@ -14,6 +14,7 @@ from textual.worker import get_current_worker
 
 from calc.bearings.rolling.row import RollingRow
 from calc.design.addresses import address, as_table, asks
+from calc.design.labels import SHAFTS, Place
 from calc.design.model import MOST_SHAFTS, STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.errors import BadInput, Cancelled
@@ -25,7 +26,7 @@ from calc.sheet.verdict import grouped
 from ..actions import is_typed
 from ..session.editing import BuildPlan, told
 from ..session.guide import no_choice
-from ..session.places import GEARS, SHAFTS, Place, driver_of, first_key, named_key, ways_to_add
+from ..session.places import GEARS, driver_of, first_key, named_key, ways_to_add
 from ..session.recording import Recording
 from ..session.recovery import Edits
 from ..session.saving import ChangedOnDisk, Draft, NeedsUpgrade, SaveError, write_atomic

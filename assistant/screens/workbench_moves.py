@@ -8,6 +8,7 @@ from typing import Any
 from textual.app import SuspendNotSupported
 
 from calc.design.addresses import as_table, asks, step_at
+from calc.design.labels import Place
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput
@@ -19,7 +20,6 @@ from ..actions import BY_ID
 from ..session.calculation import VALUES
 from ..session.compare_with import Chosen
 from ..session.guide import step_of, title_of
-from ..session.places import Place
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
 from ..widgets.curve_pane import CurvePane

@@ -13,6 +13,7 @@ from textual.widget import AwaitMount
 from textual.worker import get_current_worker
 
 from calc.design.addresses import asks
+from calc.design.labels import SHAFTS, Place, content_at
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.locale.language import said
@@ -26,7 +27,7 @@ from calc.sheet.verdict import findings_of, open_findings
 from ..base_app import TYPING
 from ..session.calculation import VALUES, CalculationSheet, sheet, slopes_of_check, slopes_of_input, values_table
 from ..session.guide import no_choice
-from ..session.places import SHAFTS, SITS_ON, WHEELS, Place, content_at, named_key
+from ..session.places import SITS_ON, WHEELS, named_key
 from ..session.session import Session
 from ..session.solving import Answer, Job, run
 from ..widgets.calculation import Calculation

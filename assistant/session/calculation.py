@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import quantity_of, value_at
 from calc.design.key_results import judged
+from calc.design.labels import label_of
 from calc.locale import Language
 from calc.locale.language import in_language
 from calc.sheet.check import Check
@@ -21,8 +22,6 @@ from calc.sheet.expression import line_text
 from calc.sheet.step import Erratum, Outcome, Table
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Small, Text
 from calc.sheet.value import leaves, link_of
-
-from .places import label_of
 
 if TYPE_CHECKING:
     from calc.design.addresses import Table as DesignTable

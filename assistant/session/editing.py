@@ -24,6 +24,7 @@ from calc.design.addresses import (
     unjudged,
     value_at,
 )
+from calc.design.labels import SHAFTS, Place, content_at, with_bearings
 from calc.design.locks import locked, standing, toggled
 from calc.design.model import SCHEMA, Design
 from calc.design.names import written
@@ -37,10 +38,7 @@ from .inherited import inherited, owned
 from .places import (
     NAME,
     OWN,
-    SHAFTS,
     WHEELS,
-    Place,
-    content_at,
     described,
     error_place,
     followed,
@@ -50,7 +48,6 @@ from .places import (
     named_key,
     names_of,
     optional_table,
-    with_bearings,
     with_shafts,
     with_wheel,
     without_empty,

@@ -11,6 +11,7 @@ from functools import cache
 
 from calc.countershaft.rows import BearingRow
 from calc.design.addresses import Table, as_table, asks, quantities, step_at
+from calc.design.labels import SHAFTS, Place, content_at, with_bearings
 from calc.design.model import IN_SENTENCES, STEP_KEYS, STEPS, Design
 from calc.design.upgrade import is_twin
 from calc.library.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
@@ -18,7 +19,7 @@ from calc.sheet.quantity import Published, Quantity, dotted, keys
 from calc.sheet.step import Step
 from calc.sheet.text import COMMA, EMPTY, Amount, Text
 
-from .places import SHAFTS, Place, content_at, described, owner, row_of_original, with_bearings
+from .places import described, owner, row_of_original
 
 MORE = Text("More")
 STROKE = "stroke_mm"  # twice the crank radius, which the design file has

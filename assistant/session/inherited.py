@@ -8,12 +8,13 @@ import re
 from functools import cache
 
 from calc.design.addresses import Table, as_table, changed
+from calc.design.labels import Place, content_at, label_of
 from calc.design.model import Design
 from calc.engine.inputs import EngineInputs
 from calc.sheet.quantity import dotted
 from calc.studies.shipped import engine_table, engines
 
-from .places import NAME, Place, content_at, label_of
+from .places import NAME
 
 NOTE, ENGINE = dotted(Design.note), dotted(Design.engine)
 # what says how the cylinders stand and fire, and is no engine's own number

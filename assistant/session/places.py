@@ -10,34 +10,19 @@ from typing import Any
 from calc.countershaft.inputs import ShaftInputs, ShaftLoad
 from calc.countershaft.making.inputs import Bolts
 from calc.countershaft.rows import BearingRow
-from calc.design.addresses import Table, address, as_list, as_table, changed, declared, own_shafts, quantity_of, rows_of
+from calc.design.addresses import Table, as_list, as_table, changed
+from calc.design.labels import BEARINGS, SHAFTS, Place, content_at, with_bearings
 from calc.design.model import Design
 from calc.design.other_tables import Measured, OptimiseInputs
 from calc.design.upgrade import TWIN, is_twin, twin, without
 from calc.gears.inputs import GearsInputs, Mesh, Stage
 from calc.gears.wheel_inputs import Wheel
-from calc.sheet.errors import BadInput
 from calc.sheet.quantity import Quantity, dotted, keys
-from calc.sheet.text import EMPTY, Name, Small, Text
+from calc.sheet.text import EMPTY, Name, Text
 
-Place = tuple[str | int, ...]
-
-SHAFTS: Place = (dotted(Design.shafts),)
-BEARINGS: Place = (dotted(ShaftInputs.bearings),)  # of a shaft
 OF_SHAFT = ("countershaft", "bearings", "gears")  # the steps that have something of each shaft
 CARRIES = (dotted(ShaftInputs.bolts), dotted(Bolts.carries))
 NAME, MIRRORS, REPEATS = "name", dotted(ShaftInputs.mirrors), dotted(ShaftInputs.repeats)
-
-
-def content_at(data: Table, where: Place) -> Any:
-    """What stands at a place, None where there is nothing."""
-    here: Any = data
-    for part in where:
-        if isinstance(part, int):
-            here = here[part] if isinstance(here, list) and part < len(here) else None
-        else:
-            here = here.get(part) if isinstance(here, dict) else None
-    return here
 
 
 def described(where: Place) -> Quantity:
@@ -117,27 +102,6 @@ def owner(where: Place) -> type:
     return cls
 
 
-def label_of(data: Table, key: str) -> Text:
-    """What the form calls the input of a dotted key, in the middle of a sentence; and of what, where it is one of
-    several."""
-    try:
-        words, where = Small(quantity_of(data, key).label), address(data, key)
-    except BadInput:  # the key of a table, or of an element that is not there
-        about = declared(key.split("."))
-        if about is not None and about.table is None:
-            return Small(about.label)
-        return Name(key.rpartition(".")[2].replace("_", " "))
-    numbered = next((n for n in range(len(where) - 1, 0, -1) if isinstance(where[n], int)), None)
-    if numbered is None or (where[:numbered] == (dotted(Design.shafts),) and len(own_shafts(data)) == 1):
-        return words
-    several = where[:1] == SHAFTS and numbered > 1
-    several &= len(own_shafts(data)) > 1 or is_twin(as_table(content_at(data, where[:2])))
-    ways = [where[:2], where[: numbered + 1]] if several else [where[: numbered + 1]]
-    elements = [content_at(with_bearings(data, where), way) for way in ways]
-    names = [str(as_table(element).get(NAME) or int(way[-1]) + 1) for way, element in zip(ways, elements)]
-    return Text("{label} of {place}", label=words, place=" ".join(names))
-
-
 # --- several shafts
 
 
@@ -151,15 +115,6 @@ def twin_words(shaft: Table) -> Text:
     if MIRRORS in shaft:
         return Text("mirrors {name}", name=Name(original_of(shaft)))
     return Text("repeats {name}", name=Name(original_of(shaft))) if REPEATS in shaft else EMPTY
-
-
-def with_bearings(data: Table, where: Place) -> Table:
-    """The tables with a row for each bearing of the twin that a place lies in; as they are for any other place."""
-    if where[:1] != SHAFTS or where[2:3] != BEARINGS:
-        return data
-    there = as_list(content_at(data, where[:3]))
-    rows = rows_of(data, ".".join(map(str, where[:3])), there)
-    return data if len(rows) == len(there) else changed(data, where[:3], rows)
 
 
 def row_of_original(data: Table, row: Place) -> Table:

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import Table, address
+from calc.design.labels import Place
 from calc.design.model import SCHEMA
 from calc.design.replay import RECORDED, played
 from calc.design.toml_file import Document
 from calc.sheet.errors import BadInput
-
-from .places import Place
 
 if TYPE_CHECKING:
     from calc.design.replay import Step

@@ -15,13 +15,14 @@ from typing import Any
 
 from calc.design.addresses import Table, address, changed
 from calc.design.disk import lock
+from calc.design.labels import Place
 from calc.design.toml_file import Document, current_document
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 
 from ..output import state_dir
 from . import numbers
-from .places import Place, described
+from .places import described
 from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
 from .undo import EditState
 

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import Table
 from calc.design.disk import FileChanged, same_file, write_file
+from calc.design.labels import Place
 from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 
-from .places import Place
 from .solving import Job, run
 
 if TYPE_CHECKING:

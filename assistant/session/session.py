@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import Table
 from calc.design.disk import read_file
+from calc.design.labels import SHAFTS, Place, content_at
 from calc.design.limits import DESIGN_BYTES
 from calc.design.toml_file import design, parse, read, same_content
 from calc.sheet.errors import BadInput, InputError
@@ -23,7 +24,7 @@ from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import EXAMPLE, is_shipped
 
 from .editing import Editing
-from .places import NAME, SHAFTS, Place, content_at, named_key, original_of
+from .places import NAME, named_key, original_of
 from .recovery import Edits, Memory, Presence, is_file, not_accepted, with_said
 from .saving import Draft, SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from calc.design.addresses import Table, address, step_at
+from calc.design.labels import Place, label_of
 from calc.design.locks import locks
 from calc.design.model import STEPS, Design
 from calc.sheet.errors import BadInput
@@ -15,7 +16,6 @@ from calc.studies.compare import InputDifference, inputs
 
 from .compare_with import from_to
 from .guide import DOCUMENT, NAME, NOTE, title_of
-from .places import Place, label_of
 from .undo import EditState
 
 ACCEPTED, LOCKED, WITHOUT = map(dotted, (Design.accepted, Design.locked, Design.without))

@@ -5,9 +5,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from calc.design.addresses import Table
+from calc.design.labels import Place
 from calc.sheet.text import Text
-
-from .places import Place
 
 DEEPEST = 1000  # steps that can be undone
 

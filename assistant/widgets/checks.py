@@ -14,6 +14,7 @@ from textual.content import Content
 from textual.message import Message
 
 from calc.design.key_results import judged, outside
+from calc.design.labels import label_of
 from calc.sheet.check import Check
 from calc.sheet.deferred import Later
 from calc.sheet.number import short
@@ -21,7 +22,6 @@ from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, EMPTY, Amount, Name, Text, plural
 from calc.sheet.verdict import TITLES, named, open_findings, severity
 
-from ..session.places import label_of
 from ..session.wording import worded, words_shared
 from .item_list import Item, ItemList
 from .pane import short_of_room

@@ -16,6 +16,7 @@ from textual.widgets import Input
 from calc.bearings.inputs import OF_ROWS
 from calc.countershaft.rows import BearingRow
 from calc.design.addresses import as_table
+from calc.design.labels import Place
 from calc.design.names import choice_word
 from calc.design.upgrade import is_twin
 from calc.locale import Language
@@ -25,7 +26,7 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 from ..base_app import BaseApp
 from ..session import numbers
 from ..session.guide import DOCUMENT, NAME, NOTE, idle
-from ..session.places import Place, key_at, original_of, owner
+from ..session.places import key_at, original_of, owner
 from ..session.session import Session
 from .entry import AUTO, Choice, Entry
 from .pane import short_of_room

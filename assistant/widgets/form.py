@@ -17,6 +17,7 @@ from textual.widgets import Input, Static
 from textual.worker import Worker
 
 from calc.design.addresses import asks, quantity_of, step_at, value_at
+from calc.design.labels import SHAFTS, Place, content_at
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.locale.language import in_language
@@ -28,7 +29,7 @@ from calc.sheet.text import COMMA, EMPTY, Name, Text, plural
 from ..base_app import BaseApp
 from ..session import numbers
 from ..session.guide import FIRST, FOLD, GUIDES, fold_at, taken_over
-from ..session.places import OF_SHAFT, SHAFTS, Place, content_at
+from ..session.places import OF_SHAFT
 from ..session.session import Session
 from .entry import Choice, Entry
 from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, sides

@@ -16,6 +16,7 @@ from textual.style import Style
 from textual.widget import Widget
 
 from calc.countershaft.inputs import ShaftInputs
+from calc.design.labels import BEARINGS, SHAFTS, content_at, with_bearings
 from calc.design.upgrade import is_twin
 from calc.sheet.number import short
 from calc.sheet.quantity import dotted, keys
@@ -24,7 +25,7 @@ from calc.sheet.text import EMPTY, Name, Text
 from ..actions import bound
 from ..base_app import BaseApp
 from ..session.guide import DOCUMENT, NOTE
-from ..session.places import BEARINGS, NAME, SHAFTS, content_at, original_of, twin_words, with_bearings
+from ..session.places import NAME, original_of, twin_words
 from ..session.session import Session
 from .entry import LEAVING
 from .pane import short_of_room

@@ -11,6 +11,7 @@ from textual.style import Style
 from textual.widget import Widget
 
 from calc.design.key_results import judged
+from calc.design.labels import Place, label_of
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.step import Outcome
@@ -20,7 +21,7 @@ from calc.studies.ready import StepState
 from ..actions import ACTIONS, BY_ID, Action
 from ..base_app import BaseApp
 from ..session.guide import step_of, title_of
-from ..session.places import Place, described, label_of, named_key
+from ..session.places import described, named_key
 from ..session.session import Session
 from ..session.wording import not_repeated, worded
 from .rows import RADIUS, TWICE

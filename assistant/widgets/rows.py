@@ -15,6 +15,7 @@ from textual.widget import Widget
 from calc.countershaft.inputs import ShaftInputs
 from calc.countershaft.rows import OF_ORIGINAL, BearingRow, titled
 from calc.design.addresses import Table, as_list, as_table, keys_of, own_keys
+from calc.design.labels import SHAFTS, Place, content_at, with_bearings
 from calc.design.model import Design
 from calc.engine.inputs import EngineInputs
 from calc.locale import Language
@@ -39,7 +40,7 @@ from ..session.guide import (
     layout_of,
     of_twin,
 )
-from ..session.places import MIRRORS, REPEATS, SHAFTS, Place, content_at, described, with_bearings
+from ..session.places import MIRRORS, REPEATS, described
 from ..session.wording import sentences, worded
 from .pane import short_of_room
 from .text import fit, wrap

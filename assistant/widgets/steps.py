@@ -10,6 +10,7 @@ from textual.content import Content
 from textual.style import Style
 from textual.widget import Widget
 
+from calc.design.labels import Place
 from calc.design.model import STEPS
 from calc.sheet.text import EMPTY, SEMICOLON, Text, plural
 from calc.sheet.verdict import TITLES
@@ -18,7 +19,6 @@ from calc.studies.ready import SOLVED, Readiness, StepState, readiness, whole
 from ..actions import BY_ID
 from ..base_app import BaseApp
 from ..session.guide import title_of
-from ..session.places import Place
 from ..session.session import Session
 from .item_list import Item, ItemList
 from .signs import Signs

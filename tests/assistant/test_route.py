@@ -6,7 +6,6 @@ import pytest
 from textual import events
 
 from assistant.session.guide import fold_at, folds, idle
-from assistant.session.places import Place
 from assistant.session.session import Session
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field, StrokeField
@@ -14,6 +13,7 @@ from assistant.widgets.form import GuideText
 from assistant.widgets.headings import Fold
 from assistant.widgets.radio import Balance, Todo
 from assistant.widgets.rows import Asked, routed
+from calc.design.labels import Place
 from calc.design.model import STEPS
 from calc.design.toml_file import read
 from calc.studies.shipped import DESIGNS

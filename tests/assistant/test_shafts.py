@@ -10,17 +10,7 @@ from types import SimpleNamespace
 import pytest
 
 from assistant.screens.dialogs import Ask, Choose
-from assistant.session.places import (
-    Place,
-    followed,
-    further,
-    further_shaft,
-    label_of,
-    less,
-    ways_to_add,
-    with_shafts,
-    with_wheel,
-)
+from assistant.session.places import followed, further, further_shaft, less, ways_to_add, with_shafts, with_wheel
 from assistant.session.recovery import Edits, Memory
 from assistant.session.saving import NeedsUpgrade
 from assistant.session.session import Session
@@ -29,6 +19,7 @@ from assistant.widgets.field import CellColumns, Field
 from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.rows import Asked, FormRow, routed
 from calc.design.addresses import Table, changed
+from calc.design.labels import Place, label_of
 from calc.design.model import STEPS
 from calc.design.toml_file import design, parse
 from calc.sheet.text import Text

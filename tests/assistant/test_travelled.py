@@ -4,10 +4,10 @@
 import pytest
 
 from assistant.app import ContralberoApp
-from assistant.session.places import Place
 from assistant.session.session import Session
 from assistant.session.travelled import Travelled, travelled
 from assistant.widgets.headings import ArrayHeading
+from calc.design.labels import Place
 from calc.sheet.remedy import assignment
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import settled, strike, told, until, work
