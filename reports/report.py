@@ -27,7 +27,8 @@ from .blocks.drawing import drawing_blocks, wheel_blocks
 from .blocks.drive import drive_blocks, front_figure
 from .blocks.inputs import input_blocks, material_blocks
 from .blocks.nomenclature import nomenclature_blocks
-from .blocks.summary import closing_blocks, mended, step_anchor, summary_blocks
+from .blocks.page_one import mended
+from .blocks.summary import step_anchor, summary_blocks
 from .blocks.title_block import NOTE_LINES
 from .blocks.values import table_blocks, value_blocks
 from .blocks.words import verdict
@@ -170,14 +171,14 @@ def context_of(
 def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     """Everything that the report holds, in its order."""
     if context.depth == "summary":
-        return closing_blocks(context, mended(context), summary_blocks(context))
+        return summary_blocks(context, mended(context))
     entries: list[ContentsEntry] = []
     body: list[Block] = []
     plots = Plots(context.say)
     steps = [numbered for numbered in context.steps() if context.audit or numbered[2].state != "not_asked"]
     if context.drive is not None:
         front = front_figure(context, context.drive, plots)
-    summary = summary_blocks(context)
+    summary = summary_blocks(context, mended(context))
     for n, (number, step, outcome) in enumerate(steps):
         done = part(progress, n / len(steps), (n + 1) / len(steps))
         body += _step(context, number, step, outcome, entries, plots, done)
@@ -219,7 +220,6 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     if context.audit and (index := index_blocks(body)):
         body += _section(f"{number}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
         body += index
-    summary = closing_blocks(context, mended(context), summary)
     return (
         summary + contents_blocks(context, entries, [w[key] for key in (LISTED if context.audit else CHAPTERS)]) + body
     )

@@ -39,7 +39,7 @@ from ..sheet.quantity import (
 from ..sheet.record import replace
 from ..sheet.step import OF_SHAFTS, Step
 from ..sheet.text import Amount, Small, Text, listed
-from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, control, said_twice
+from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, Requirement, control, said_twice
 
 SCHEMA = 2
 
@@ -114,6 +114,10 @@ class Design:
         OptimiseInputs,
         default=None,
         help="What `contralbero design` varies and wants; no step asks for it.",
+    )
+
+    requirements: tuple[Requirement, ...] = tables(
+        "Requirements", Requirement, default=(), help="What is asked of the design, and who asks; the report prints it."
     )
 
     measured: tuple[Measured, ...] = tables(

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The tables of a design that are no step's: [document], [optimise] and [[measured]].
+"""The tables of a design that are no step's: [document], [[requirements]], [optimise] and [[measured]].
 
-Document control is number, people, revision and change record, as the title block of the report prints them:
+Document control is what the report is for, number, people, revision and change record, as its first page prints them:
 
 [document]
+purpose = "To release the counter-shaft for the prototype of series B."
+scope = "Shaft, bearings, gear train; not the housing."
 number = "CS-0042"
 project = "Counter-shaft of the small industrial engine"
 customer = "…"
@@ -18,6 +20,11 @@ revision = "B"
 date = 2026-03-14
 what = "Longer bearings"
 by = "…"
+
+[[requirements]]                       # what somebody has asked of the design, printed with who did
+name = "First-order couple left over"
+value = "at most 20 N·m"
+owner = "Vehicle comfort"
 """
 
 from collections.abc import Iterable, Mapping
@@ -56,6 +63,8 @@ class Change:
 class DocumentControl:
     """What the title block says."""
 
+    purpose: str = text("Purpose", default="", help="What the report is for: the question that it answers.")
+    scope: str = text("Scope", default="", help="What it covers, and what it leaves to others.")
     number: str = text("Number", default="", help="Of the document, as its company files it.")
     project: str = text("Project", default="")
     customer: str = text("Customer", default="")
@@ -84,11 +93,20 @@ class DocumentControl:
 
     def words(self) -> Iterable[str]:
         """All that is printed of it."""
-        yield from (self.number, self.project, self.customer, self.company, self.revision)
+        yield from (self.purpose, self.scope, self.number, self.project, self.customer, self.company, self.revision)
         for _, signature in self.signatures():
             yield from (signature.name, signature.date)
         for change in self.changes:
             yield from (change.revision, change.date, change.what, change.by)
+
+
+@inputs
+class Requirement:
+    """One row of [[requirements]]: words, which no formula reads."""
+
+    name: str = text("Requirement")
+    value: str = text("Value", default="", help="As it was asked, with its unit.")
+    owner: str = text("Owner", default="", help="Who has asked for it.")
 
 
 # Where the keys at the top of old files stand now

@@ -413,7 +413,7 @@ class _Reader:
             self.inputs(about.table, item, f"{key}.{i}", f"{address}.{i if name is None else name}", known)  # type: ignore[arg-type]
             for i, (item, name, known) in enumerate(zip(value, names, before))
         )
-        addressed = not key.startswith(("oil", "material")) and "name" in keys(about.table)
+        addressed = not key.startswith(("oil", "material", "requirements")) and "name" in keys(about.table)
         seen: set[str] = set()
         for i, name in enumerate(names):
             if isinstance(name, str):

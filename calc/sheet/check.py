@@ -397,6 +397,11 @@ class Check:
         return self._kept(end) if isinstance(end, (int, float)) else {"holds": True}.get(end or "")
 
     @property
+    def kept_at_worst(self) -> bool | None:
+        """Whether it holds with all that is not given at its unfavourable end; None where nobody knows."""
+        return self._end(self.at_worst)
+
+    @property
     def verdict(self) -> str:
         finding = self.finding
         return "accepted" if self.accepted and self.kind != "limit" and finding != "pass" else finding

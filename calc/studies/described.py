@@ -33,10 +33,10 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
             ),
         )
     views = [view for view in design.views.values() if view.countershaft is not None]
-    if shafts := SEMICOLON.join(_of_shaft(design, view.own_name, _shaft(view)) for view in views):
+    if shafts := SEMICOLON.join(of_shaft(design, view.own_name, _shaft(view)) for view in views):
         yield design.title("countershaft"), shafts
     if (bearings := design.bearings) is not None:
-        rows = SEMICOLON.join(_of_shaft(design, name, _rows(view)) for name, view in design.views.items())
+        rows = SEMICOLON.join(of_shaft(design, name, _rows(view)) for name, view in design.views.items())
         words = Text("{sizes}; oil {oil}", sizes=rows, oil=Name(bearings.oil))
         if any(
             row.size is not None and row.dynamic_rating is None for view in design.views.values() for row in view.rows
@@ -60,7 +60,7 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
         yield Text("Load case"), load
 
 
-def _of_shaft(design: Design, name: str, words: Text) -> Text:
+def of_shaft(design: Design, name: str, words: Text) -> Text:
     """With the name of the shaft before it, where there are several, and those of its twins."""
     if len(design.shafts) < 2:
         return words

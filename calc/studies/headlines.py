@@ -12,7 +12,7 @@ from ..countershaft.sums import NOTHING, SystemResult
 from ..design.model import STEPS, Design
 from ..engine.result import EngineResult
 from ..friction.result import FrictionResult
-from ..gears.drive.checks import FLYWHEEL, GAS, grade_letter, grade_limits
+from ..gears.drive.checks import grade_letter, grade_limits
 from ..gears.drive.curves import MM_S
 from ..gears.drive.result import HARDEST, IDLE, DriveResult, MeshOverSpeed, WheelStruck
 from ..gears.drive.tables import kilonewtons, point_words, sentence, worst
@@ -330,11 +330,9 @@ def drive_row(results: Results) -> tuple[Text, Text] | None:
         words = Text("{words}; {symbol} {range}", words=words, symbol=Name(symbol), range=struck.words)
     if drive.assumed:
         words = Text(
-            "{words}; with {taken}, a default that knows no load: give {gas} and {flywheel}",
+            "{words}; with {taken}, a default that knows no load: give the gas and the flywheel",
             words=words,
             taken=drive.drive.taken,
-            gas=GAS,
-            flywheel=FLYWHEEL,
         )
     return title, words
 

@@ -50,7 +50,7 @@ def chapter_parts(context: Context, number: str, step: Step, outcome: Outcome[ob
         ("inputs", lambda: input_blocks(context, step)),
         (
             "notes",
-            lambda: remarks(context, step.key) + [b for note in outcome.notes for b in bullet(note, NOTE, gap=0.7)],
+            lambda: remarks(context, step.key) + [b for note in outcome.notes for b in bullet(note, BODY, gap=0.7)],
         ),
     )
     if context.shafts and step.key in OF_SHAFTS:  # of all together, which is seen at a glance

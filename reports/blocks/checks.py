@@ -6,11 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
+from calc.design.labels import label_of
 from calc.design.names import knows
 from calc.library.publications import as_printed
 from calc.sheet.check import Check
 from calc.sheet.step import Erratum
-from calc.sheet.text import Amount, Text
+from calc.sheet.text import COMMA, SEMICOLON, Amount, Name, Text
 from calc.sheet.verdict import counts, open_findings, with_it
 
 from ..context import Context
@@ -94,8 +95,28 @@ def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
 
 
 def lack_of(context: Context, check: Check) -> str:
-    """What is not given; the audit names every key in full, and what stands for it."""
-    return context.say(check.lack_text() if context.audit else check.lack_in_short())
+    """What is not given, by its names; the audit names every key in full, and what stands for it."""
+    if context.audit or check.verdict in ("pass", "accepted") or not check.missing:
+        return context.say(check.lack_text())
+    keys = not_given(context, (check,))
+    if not check.taken:
+        return context.say(Text("Not given: {keys}.", keys=keys))
+    return context.say(Text("Not given: {keys}. {ends}", keys=keys, ends=check.ends_text()))
+
+
+def not_given(context: Context, checks: Iterable[Check]) -> Text:
+    """The inputs that some checks lack, by their names; those of several elements together."""
+    data, together = context.document.data, dict[str, tuple[Text, list[Text]]]()
+    for key in dict.fromkeys(key for check in checks for key in check.missing):
+        whole = label_of(data, key)
+        label, place = whole.parts.get("label"), whole.parts.get("place")
+        named = isinstance(label, Text) and place is not None
+        label = label if isinstance(label, Text) and named else whole
+        together.setdefault(str(label), (label, []))[1].extend([Name(str(place))] if named else [])
+    return SEMICOLON.join(
+        Text("{label} of {place}", label=label, place=COMMA.join(places)) if places else label
+        for label, places in together.values()
+    )
 
 
 def _accepted(context: Context, check: Check) -> str:
@@ -103,7 +124,7 @@ def _accepted(context: Context, check: Check) -> str:
 
 
 def _check_row(context: Context, check: Check, under: str) -> Row:
-    name = Cell(name_of(context, check), under=(under, NOTE))
+    name = Cell(name_of(context, check), under=(under, CELL))
     return (
         sign_cell(context, check.verdict),
         name,

@@ -32,7 +32,7 @@ from calc.sheet.units import UNITS
 
 from ..context import Context
 from ..typesetting.pagination import Block, bullet, paragraph
-from ..typesetting.prose import CELL, HEADER, KEY, NOTE
+from ..typesetting.prose import BODY, CELL, HEADER, KEY, NOTE
 from ..typesetting.tables import Cell, Column, Row, longest, named_table, noted_below, table
 from ..typesetting.typeset import symbol
 from .nomenclature import noted
@@ -62,6 +62,25 @@ def exact(value: Any, *, rounded: bool = False) -> str:
     mantissa, _, power = (f"{value + 0:.12g}" if rounded else repr(value + 0)).partition("e")
     written = mantissa.replace("-", "−")
     return f"{written}·10{str(int(power)).translate(SUPERSCRIPTS)}" if power else written
+
+
+PLAIN = re.compile(r"−?\d+(\.\d+)?")
+
+
+def alike(texts: Sequence[str]) -> list[str]:
+    """Numbers of one quantity as the file gives them, each with as many decimals as the one that has most; of whole
+    numbers none."""
+    fractions = [(found[1] or "").rstrip("0") if (found := PLAIN.fullmatch(text)) else "" for text in texts]
+    most = max(map(len, fractions), default=0)
+
+    def padded(text: str) -> str:
+        if not PLAIN.fullmatch(text):
+            return text
+        whole, _, fraction = text.partition(".")
+        fraction = fraction.rstrip("0")
+        return f"{whole}.{fraction.ljust(most - 1, '0')}" if most > 1 else whole
+
+    return [padded(text) for text in texts]
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +167,7 @@ class _Tables:
                 (
                     self.say(key.about.label),
                     _symbol(self.context, key.about),
-                    self.value(given),
+                    *self.values([given]),
                     key.about.unit,
                     Cell(f"{prefix}.{key.key}", KEY),
                 )
@@ -233,7 +252,8 @@ class _Tables:
     def rows(self, title: str, names: list[str], shown: list[tuple[Key, list[_Given]]], between: int = 0) -> None:
         """One part a row; `between`: how many are left out in the middle."""
         head = [Column(""), *(_column(k.about, self.say) for k, _ in shown)]
-        rows: list[Row] = [(name, *(self.value(given[i]) for _, given in shown)) for i, name in enumerate(names)]
+        each = [self.values(given) for _, given in shown]
+        rows: list[Row] = [(name, *(cells[i] for cells in each)) for i, name in enumerate(names)]
         if between:
             rows.insert(ENDS, (self.between(between, len(names) + between), *("…" for _ in shown)))
         self.blocks += named_table(title, head, rows)
@@ -252,13 +272,18 @@ class _Tables:
                 (
                     self.say(k.about.label),
                     _symbol(self.context, k.about),
-                    *(self.value(g) for g in given[start : start + ACROSS]),
+                    *self.values(given)[start : start + ACROSS],
                     k.about.unit,
                 )
                 for k, given in shown
             ]
             name = title if not start else self.text("two", name=title)
             self.blocks += named_table(name if title else "", head, rows)
+
+    def values(self, given: Sequence[_Given]) -> list[Cell]:
+        """Those of one quantity."""
+        texts = alike([one.text if one.number else "" for one in given])
+        return [self.value(replace(one, text=text) if one.number else one) for one, text in zip(given, texts)]
 
     def value(self, given: _Given) -> Cell:
         if given.left_out:
@@ -302,7 +327,7 @@ def input_blocks(context: Context, step: Step) -> list[Block]:
         tables.blocks += remarks(context, step.key)
     if tables.left_out and context.audit:
         tables.blocks += paragraph(
-            context.text("left_out", names="; ".join(dict.fromkeys(tables.left_out))), NOTE, gap=1.0
+            context.text("left_out", names="; ".join(dict.fromkeys(tables.left_out))), CELL, gap=1.0
         )
     return tables.blocks
 
@@ -318,7 +343,7 @@ def remarks(context: Context, *tables: str) -> list[Block]:
                 _called(context, key)
             )
     listing = " · ".join(f"{'; '.join(called)} “{words}”" for words, called in by_comment.items())
-    return bullet(context.text("remarks", remarks=listing), NOTE, gap=0.7) if by_comment else []
+    return bullet(context.text("remarks", remarks=listing), BODY, gap=0.7) if by_comment else []
 
 
 def _called(context: Context, key: str) -> str:

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from calc.design.addresses import every, value_at
+from calc.design.addresses import every, quantity_of, value_at
+from calc.design.labels import label_of
 from calc.sheet.check import Check, CheckRule
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import governing, result, symbol_of
@@ -31,11 +32,11 @@ from ..typesetting.boxes import Colour
 from ..typesetting.equation import SIGN, EquationEntry, Label, Place, column_of_signs, entry_blocks, spoken_numbers
 from ..typesetting.fonts import WIDTH
 from ..typesetting.pagination import Block, Formula, paragraph
-from ..typesetting.prose import GROUP, NOTE, STRONG
+from ..typesetting.prose import BODY, GROUP, NOTE, STRONG, Style
 from ..typesetting.tables import Cell, Column, Row, table
 from ..typesetting.tags import title_tag
 from .checks import lack_of, name_of, shown_value, sign_style
-from .inputs import exact
+from .inputs import alike, exact
 from .words import STATE_COLOURS
 
 if TYPE_CHECKING:
@@ -355,11 +356,11 @@ def _after(context: Context, proof: Proof) -> list[Block]:
         )
     check = proof.governing
     if lack := lack_of(context, check):
-        blocks += paragraph(lack, NOTE, x=INDENT, gap=1.2)
+        blocks += paragraph(lack, BODY, x=INDENT, gap=1.2)
     if check.accepted:
         blocks += _line(context, "accepted_because", reason=check.accepted)
     if advice := _advice(context, [twin for twin in proof.checks if not twin.holds]):
-        blocks += paragraph(advice, NOTE, x=INDENT, gap=1.2)
+        blocks += paragraph(advice, BODY, x=INDENT, gap=1.2)
     return blocks
 
 
@@ -396,8 +397,9 @@ def used(context: Context, check: Check) -> Cell:
     return Cell(context.text("used", share=Amount(share * 100, "%", form=".0f")), STRONG)
 
 
-def _line(context: Context, key: str, **parts: str) -> list[Block]:
-    return [replace(block, keep=True) for block in paragraph(context.text(key, None, **parts), NOTE, x=INDENT, gap=1.2)]
+def _line(context: Context, key: str, style: Style = BODY, **parts: str) -> list[Block]:
+    words = context.text(key, None, **parts)
+    return [replace(block, keep=True) for block in paragraph(words, style, x=INDENT, gap=1.2)]
 
 
 def _title(rows: list[Row], colour: Colour) -> Block:
@@ -447,7 +449,7 @@ def _ranges(block: Block) -> bool:
 
 def _listed(context: Context, key: str, words: list[str]) -> list[Block]:
     more = f" · {context.text('more_twins', count=len(words) - QUOTED)}" if len(words) > QUOTED else ""
-    return _line(context, key, values=" · ".join(words[:QUOTED]) + more)
+    return _line(context, key, NOTE, values=" · ".join(words[:QUOTED]) + more)
 
 
 def _together(keys: list[str]) -> list[str]:
@@ -459,15 +461,31 @@ def _together(keys: list[str]) -> list[str]:
 
 
 def _given(context: Context, key: str) -> str:
-    """An input as the design file has it; of elements together what stands at each."""
-    if " (" in key:
-        return key
+    """An input by its name with its value, in an audit as the design file has it; of elements together what stands at
+    each."""
     data = context.document.data
+    key, _, material = key.partition(" (")
+    if material:  # and what the table has of it
+        name = key if context.audit else context.say(_common(label_of(data, every(data, key)[0]), "*" in key))
+        return f"{name} ({material}"
     try:
-        each = [value_at(data, one, whole=True) for one in every(data, key)]
+        places = every(data, key)
+        each = [value_at(data, one, whole=True) for one in places]
     except BadInput:
-        return key
+        return key if context.audit else context.say(label_of(data, key))
     given = each if "*" in key else each[0]
+    name = context.say(_common(label_of(data, places[0]), len(places) > 1))
     if given is None or None in each or (isinstance(given, (dict, list)) and len(str(given)) > 40):
-        return key
-    return f"{key} = {exact(given)}"
+        return key if context.audit else name
+    if context.audit:
+        return f"{key} = {exact(given)}"
+    if isinstance(given, str):
+        return f"{name} = {given}"
+    numbers = "; ".join(alike([exact(one) for one in (given if isinstance(given, list) else [given])]))
+    return f"{name} = {with_unit(context.say.number(numbers), quantity_of(data, places[0]).unit)}"
+
+
+def _common(label: Text, several: bool) -> Text:
+    """Of several elements the label without the one that it names."""
+    part = label.parts.get("label")
+    return part if several and isinstance(part, Text) else label

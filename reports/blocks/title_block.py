@@ -26,7 +26,7 @@ NOTE_LINES = 8  # of the first page; a longer note is repeated whole at the end
 LOGO = (130.0, 32.0)  # at most, in points
 ACROSS = 4  # facts beside each other
 PAD = 4.0
-SIGN = 17.0  # height of a field to sign in
+SIGN = 14.0  # height of a field to sign in
 FIELDS = ("Prepared", "Checked", "Approved")  # what a signing program calls the fields, in every language
 EDGE = 1.0  # of a field within its box
 SIGN_AT = (0.0, 0.16 * WIDTH, 0.52 * WIDTH, 0.68 * WIDTH)  # where who, name, date and signature begin
@@ -43,12 +43,17 @@ def title_blocks(context: Context) -> list[Block]:
     facts = [(label, value) for label, value in facts if value]
     facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], program(context.made))]
     blocks += [_facts(facts), signature_block(context, control)]
-    notes = [w["attached"], w["in_si"] if context.depth != "summary" else "", made_with(context)]
-    blocks += on_paper_only(paragraph(" ".join(filter(None, notes)), NOTE, gap=2.0))
     texts = (design.name, design.note, *control.words())
     if not all(map(writable, texts)) and not any(MISSING in s for s in texts):
         blocks += on_paper_only(paragraph(w["missing_glyphs"], NOTE, gap=0.0))
     return blocks
+
+
+def file_notes(context: Context) -> list[Block]:
+    """What lies in the file beside the pages, the units of the formulas, and what computed the numbers."""
+    w = context.words
+    notes = [w["attached"], w["in_si"] if context.depth != "summary" else "", made_with(context)]
+    return on_paper_only(paragraph(" ".join(filter(None, notes)), NOTE, gap=3.0))
 
 
 def made_with(context: Context) -> str:
@@ -118,7 +123,7 @@ def _facts(facts: list[tuple[str, str]]) -> Block:
             pen.rule(0.0, top, WIDTH, 0.4, LINE)
         _frame(pen, y, sum(heights), top_line=True)
 
-    return Block(sum(heights), draw, gap=7.0, keep=True, content=Rows([], facts))
+    return Block(sum(heights), draw, gap=5.0, keep=True, content=Rows([], facts))
 
 
 def signature_block(context: Context, control: DocumentControl, *, alone: bool = False) -> Block:

@@ -6,11 +6,14 @@ After them the tables that the step itself has put together.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
+from calc.sheet.number import DIGITS
 from calc.sheet.quantity import Published
 from calc.sheet.step import Outcome, Table
+from calc.sheet.text import Amount
 
 from ..context import Context
 from ..typesetting.fonts import WIDTH
@@ -24,6 +27,7 @@ ACROSS = 7
 NUMBERS = 56.0  # most width of values in a table of two halves
 LEAST_WORDS = 60.0  # width that a column of words needs in a table of many
 VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")
+LEAST, MOST = 1e-3, 1e7  # of a column's largest number: others have powers of ten
 ALIKE = 0.6  # share of results in common, with their names and units, that puts two parts beside each other
 
 
@@ -155,7 +159,8 @@ def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block
     columns = (Column(w["quantity"]), Column(w["symbol"]), *names, Column(w["unit"], width=40.0))
     rows: list[Row] = []
     for name, (value, cell) in zip(all_values, _named(context, all_values.values())):
-        cells = [context.written(p.values[name].shown) if name in p.values else "–" for p in parts]
+        numbers = in_column(context, [p.values[name].shown if name in p.values else None for p in parts])
+        cells = [number or "–" for number in numbers]
         if not context.audit and all(c in ("0", "–") for c in cells):
             zero.append(f"{cell.indexed} ({'; '.join(p.name for p in parts)})")
             continue
@@ -170,14 +175,14 @@ def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
     """What belongs side by side: numbers to the right, words to the left; a note in small type below."""
     blocks: list[Block] = []
     for shown in tables:
-        rows = [[_shown(cell, context) for cell in row] for row in shown.rows]
-        columns = [_headed(context, shown, i, _one_line) for i in range(len(shown.columns))]
+        rows = _cells(context, shown)
+        columns = [_headed(shown, i, [row[i] for row in rows], _one_line) for i in range(len(shown.columns))]
         if (
             sum(c.width or _words_width(c, [row[i] for row in rows]) for i, c in enumerate(columns))
             + GAP * len(columns)
             > WIDTH
         ):
-            columns = [_headed(context, shown, i, _two_lines) for i in range(len(shown.columns))]
+            columns = [_headed(shown, i, [row[i] for row in rows], _two_lines) for i in range(len(shown.columns))]
         for n, some in enumerate(_fitting(columns)):
             title = context.text("two", name=shown.title) if n else shown.title
             fixed = [columns[i].width for i in some]
@@ -190,13 +195,60 @@ def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
     return blocks
 
 
-def _shown(cell: str | float | None, context: Context) -> Cell:
+def _cells(context: Context, shown: Table) -> list[list[Cell]]:
+    """What a table says; the numbers of a column that has a unit with the same decimals."""
+    columns = []
+    for (_, unit), each in zip(shown.columns, zip(*shown.rows)):
+        numbers = [cell for cell in each if not (cell is None or isinstance(cell, str))]
+        texts = iter(in_column(context, numbers) if unit else map(context.written, numbers))
+        columns.append(
+            [
+                Cell()
+                if cell is None
+                else Cell(cell, align="l")
+                if isinstance(cell, str)
+                else Cell(next(texts), align="r")
+                for cell in each
+            ]
+        )
+    return [list(row) for row in zip(*columns)]
+
+
+def _cell(cell: str | float | None, texts: Iterator[str]) -> Cell:
     if cell is None:
         return Cell()
-    return Cell(cell, align="l") if isinstance(cell, str) else Cell(context.written(cell), align="r")
+    return Cell(cell, align="l") if isinstance(cell, str) else Cell(next(texts), align="r")
 
 
-def _headed(context: Context, shown: Table, i: int, header: Callable[[str], float]) -> Column:
+def in_column(context: Context, numbers: Sequence[float | None]) -> list[str]:
+    """Numbers of one quantity below or beside each other with the same decimals: as many as show four digits of the
+    largest and three of the smallest, but no more than three beyond the former; of whole numbers none.  A number that
+    they would make nought stands with its own digits; so do all where powers of ten lie between them."""
+    sizes = [abs(x) for x in numbers if x is not None and math.isfinite(x) and x]
+    if not sizes or not LEAST <= max(sizes) < MOST or any(isinstance(x, bool) for x in numbers):
+        return ["" if x is None else context.written(x) for x in numbers]
+    of_largest = DIGITS - 1 - math.floor(math.log10(max(sizes)))
+    of_smallest = DIGITS - 2 - math.floor(math.log10(min(sizes)))
+    decimals = max(0, min(max(of_largest, of_smallest), of_largest + 3))
+    while decimals and all(_ends(x, decimals - 1) for x in sizes):
+        decimals -= 1
+
+    def written(x: float | None) -> str:
+        if x is None:
+            return ""
+        if not math.isfinite(x) or 0 < abs(x) < 0.5 * 10.0**-decimals:
+            return context.written(x)
+        return context.say.part(Amount(x, form=f".{decimals}f"))
+
+    return [written(x) for x in numbers]
+
+
+def _ends(x: float, decimals: int) -> bool:
+    """Whether a number has no more decimals."""
+    return abs(x - round(x, decimals)) <= 1e-9 * x
+
+
+def _headed(shown: Table, i: int, made: Sequence[Cell], header: Callable[[str], float]) -> Column:
     """A column of a table; one of numbers is as wide as they and its header need, so that no number is broken."""
     label, unit = shown.columns[i]
     words = f"{label}, {unit}" if unit else label
@@ -204,10 +256,7 @@ def _headed(context: Context, shown: Table, i: int, header: Callable[[str], floa
     if not any(isinstance(cell, (int, float)) for cell in cells) and (not unit or any(cells)):
         return Column(words)
     column = Column(words, "r")
-    return replace(
-        column,
-        width=max([header(words), *(natural(_shown(c, context), column) for c in cells if not isinstance(c, str))]),
-    )
+    return replace(column, width=max([header(words), *(natural(cell, column) for cell in made if cell.align != "l")]))
 
 
 def _words_width(column: Column, cells: list[Cell]) -> float:

@@ -58,7 +58,12 @@ def test_keys_of_all_elements_of_an_array_in_an_array_are_one_with_what_stands_a
     together = "shafts.shaft.bearings.*.position_mm"
     assert shortened([*places, "bearings.oil"], example.results.design) == [together, "bearings.oil"]
     assert shortened(places[:1], example.results.design) == places[:1]
-    context = Context(example.document, example.results, "", "engineer", language("en"))
+    short = Context(example.document, example.results, "", "engineer", language("en"))
+    assert _given(short, together) == "position = −167.5; 167.5 mm"
+    assert _given(short, places[0]) == "position of front = −167.5 mm" and _given(short, "bearings.oil").startswith(
+        "oil ="
+    )
+    context = Context(example.document, example.results, "", "audit", language("en"))
     assert _given(context, together) == f"{together} = −167.5; 167.5"
     assert _given(context, places[0]) == f"{places[0]} = −167.5"
     assert _given(context, "shafts.shaft.extras.*.mass_kg") == "shafts.shaft.extras.*.mass_kg", "there are none"

@@ -218,7 +218,8 @@ def _whip(bodies: Bodies, of: Closed, u: Array, teeth: ToothStiffness) -> Array:
     """(P, B): one wheel against its neighbour, by the hardest strike u of their branch.  None in a mesh of the first
     driver that parts of itself: its driver is not thrown back."""
     first = np.array(bodies.parent) < 0
-    mu = np.where(first, bodies.mass, reduced_mass(bodies.mass, bodies.mass[list(bodies.parent)], bodies.rho))
+    with np.errstate(invalid="ignore"):  # of the first driver, whose parent is none: not taken
+        mu = np.where(first, bodies.mass, reduced_mass(bodies.mass, bodies.mass[list(bodies.parent)], bodies.rho))
     return np.where(first & of.parts, 0.0, whip_force(mu, u, teeth.b, teeth.c))
 
 
