@@ -165,7 +165,7 @@ def drawing_text(document: Document, results: Results, name: str = "") -> str:
                 )
             ],
         )
-    return sheet_dxf(sheets(results, data=document.data)[0])
+    return sheet_dxf(sheets(results, data=document.data, sha256=document.sha256)[0])
 
 
 def gears_text(document: Document, results: Results, wheel: str | None = None, chord_error: float | None = None) -> str:

@@ -4,7 +4,7 @@
 Balancing as ISO 21940-11 has it."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -276,8 +276,20 @@ def notes(
             T=number(UNITS["°C"].shown(bearings.clearance_reference_temperature), 1),
             clearances=COMMA.join(clearances),
         )
-    yield from chosen(data, shaft=shaft.name)
+    yield from chosen(data, shaft=shaft.name, more=_assumed_fits(results))
     yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results)))
+
+
+def _assumed_fits(results: "Results") -> Iterator[Text]:
+    """By which fit the journals are judged and drawn that the design gives none."""
+    bearings = results.design.bearings
+    rows = results.design.rows if bearings is not None else ()
+    turned_rows = [(row, results.kind_of(row).turned(row, bearings)) for row in rows if bearings is not None]
+    assumed = [(row, journal) for row, journal in turned_rows if journal.assumed and journal.limits is None]
+    if assumed:
+        fit, places = str(assumed[0][1].field), COMMA.join(row.in_words for row, _ in assumed)
+        whole = len(assumed) == len(turned_rows)
+        yield Text("{fit} of the journals" if whole else "{fit} of the journals {places}", fit=fit, places=places)
 
 
 def _clearances(results: "Results") -> list[Text]:
@@ -293,11 +305,13 @@ DEFAULTS = {
 }
 
 
-def chosen(data: Mapping[str, object] | None, step: str = "", shaft: str = "") -> Iterator[Text]:
-    """What the program has put in where the file leaves it out; `step`: of one step only; `shaft`: of this one."""
-    if data is None:
-        return
-    if assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key, shaft)]:
+def chosen(
+    data: Mapping[str, object] | None, step: str = "", shaft: str = "", more: Iterable[Text] = ()
+) -> Iterator[Text]:
+    """What the program has put in where the file leaves it out; `step`: of one step only; `shaft`: of this one; `more`:
+    what else it has put in."""
+    known = [] if data is None else [(key, text) for key, text in DEFAULTS.items() if key.startswith(step)]
+    if assumed := [*(text for key, text in known if not _given(data or {}, key, shaft)), *more]:
         yield Text("Chosen by the program, not by the design: {what}.", what=COMMA.join(assumed))
 
 

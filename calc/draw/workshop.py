@@ -17,7 +17,7 @@ from .drawing import CENTRE, EDGE, VISIBLE, Point
 from .shaft_outline import FLAT, upwards
 from .sheet_data import PART_DRAWING, TurnedPiece
 from .side_view import OVER, SideView
-from .workshop_sheet import DrawnPart, WorkshopSheet, composed, tables
+from .workshop_sheet import DrawnPart, Release, WorkshopSheet, composed, tables
 
 if TYPE_CHECKING:
     from ..countershaft.outline import Piece
@@ -158,10 +158,16 @@ APART = 8.0  # one view from another
 
 
 def shaft_sheet(
-    results: "Results", say: Say = str, data: Mapping[str, object] | None = None, *, title: str = "", sheet: str = "1/1"
+    results: "Results",
+    say: Say = str,
+    data: Mapping[str, object] | None = None,
+    *,
+    title: str = "",
+    sheet: str = "1/1",
+    release: Release | None = None,
 ) -> WorkshopSheet | None:
     """The drawing of the counter-shaft; None where its outline is not known.  `data`: of the design's file, for what it
-    leaves out; `title`: of the part, where that is not the design's name; `sheet`: of how many."""
+    leaves out; `title`: of the part, where that is not that of the step; `sheet`: of how many."""
     solved, shaft = results.shaft, results.design.countershaft
     if solved is None or shaft is None or solved.outline is None:
         return None
@@ -175,13 +181,20 @@ def shaft_sheet(
     if (wheel := sheet_data.shaft_wheel(results)) is not None:
         beside.insert(0, _gear_table(results, wheel, say))
     return composed(
-        DrawnPart(title=title or results.design.name, material=shaft.material, mass=mass, sheet=sheet),
+        DrawnPart(
+            title=title or say(results.design.title(dotted("countershaft"))),
+            material=shaft.material,
+            mass=mass,
+            sheet=sheet,
+            of=results.design.name,
+        ),
         lambda scale: _shaft_views(results, solved, scale, say),
         tables(beside),
         sheet_data.notes(results, solved, upwards(solved.outline), data),
         results.design.control,
         say,
         PART_DRAWING,
+        release,
     )
 
 
@@ -235,7 +248,12 @@ LINE, NEXT = 10.0, 9.0  # from the view to its first dimension, and on to the ne
 WHEEL_VIEWS_APART = 14.0
 
 
-def wheel_sheets(results: "Results", say: Say = str, data: Mapping[str, object] | None = None) -> list[WorkshopSheet]:
+def wheel_sheets(
+    results: "Results",
+    say: Say = str,
+    data: Mapping[str, object] | None = None,
+    release: Release | None = None,
+) -> list[WorkshopSheet]:
     """A sheet for each wheel; none where the train is not solved."""
     train, gears = results.train, results.design.gears
     if train is None or gears is None:
@@ -243,11 +261,11 @@ def wheel_sheets(results: "Results", say: Say = str, data: Mapping[str, object] 
     bores = {wheel_inputs.name: wheel_inputs.bore_diameter for wheel_inputs in gears.wheels}
     sheets = []
     for n, wheel in enumerate(train.wheels.values(), 1):
-        title, sheet, bore = f"{results.design.name}: {wheel.name}", f"{n}/{len(train.wheels)}", bores[wheel.name]
-        part = DrawnPart(title=title, material=wheel.material, sheet=sheet)
+        title, sheet, bore = say(Text("Gear {name}", name=wheel.name)), f"{n}/{len(train.wheels)}", bores[wheel.name]
+        part = DrawnPart(title=title, material=wheel.material, sheet=sheet, of=results.design.name)
         views = partial(_wheel_views, wheel, bore, say)
         beside, control = tables([_gear_table(results, wheel, say)]), results.design.control
-        sheets.append(composed(part, views, beside, _notes(bore, data), control, say, PART_DRAWING))
+        sheets.append(composed(part, views, beside, _notes(bore, data), control, say, PART_DRAWING, release))
     return sheets
 
 

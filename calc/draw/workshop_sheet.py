@@ -22,6 +22,7 @@ BORDER = 5.0  # of the grid references, around the frame
 FIELD = 50.0  # of the grid, counted from the middles of the page
 CENTRING = 10.0  # how far a centring mark goes on within the frame
 BLOCK_LEFT, BLOCK_TOP = RIGHT - 180.0, LOW + 46.0  # of the title block, 180 mm wide
+STAMP = 14.0  # height of what stands above it: whether the sheet may be used
 PAD = 1.5
 HEAD = 5.0  # the title's letters, where they have room
 LETTERS = "ABCDEFGHJKLM"  # of the grid: I and O are left out
@@ -57,10 +58,13 @@ def _fields(middle: float, first: float, last: float) -> list[tuple[float, float
     return list(itertools.pairwise(ends))
 
 
-def title_block(leaf: Leaf, control: "DocumentControl", title: str, kind: str, facts: dict[str, str], say: Say) -> None:
+def title_block(
+    leaf: Leaf, control: "DocumentControl", part: "DrawnPart", kind: str, facts: dict[str, str], say: Say
+) -> None:
     """Who owns, drew, checked and approved what; `facts`: scale, material, mass.  What is left empty is filled in by
     hand."""
     by = dict(control.signatures())
+    said_title = say(Text("Title, part of {design}", design=part.of)) if part.of else say(Text("Title"))
     dates = [by[key].date for key in ("approved", "checked", "prepared") if by[key].date]
     rows: Sequence[tuple[float, list[tuple[float, str, str]]]] = (
         (
@@ -73,7 +77,7 @@ def title_block(leaf: Leaf, control: "DocumentControl", title: str, kind: str, f
                 (18.0, "", ""),
             ],
         ),
-        (13.0, [(120.0, say(Text("Title")), title), (60.0, say(Text("Number")), control.number)]),
+        (13.0, [(120.0, said_title, part.title), (60.0, say(Text("Number")), control.number)]),
         (
             11.0,
             [
@@ -113,6 +117,38 @@ def title_block(leaf: Leaf, control: "DocumentControl", title: str, kind: str, f
     first_angle(leaf, RIGHT - 8.5, BLOCK_TOP - 5.5)
 
 
+@record
+class Release:
+    """Whether a sheet may be used.  `verdict`: of the whole design; `approved`: by whom and when, empty where nobody
+    has; `design`: the first digits of its file's SHA-256, empty where it has no file."""
+
+    passes: bool
+    verdict: Text
+    approved: str
+    design: str = ""
+
+    @property
+    def words(self) -> Text:
+        if self.passes and self.approved:
+            return Text("Released: {approved}", approved=self.approved)
+        if self.passes:
+            return Text("PRELIMINARY, NOT FOR MANUFACTURE: not approved")
+        return Text("PRELIMINARY, NOT FOR MANUFACTURE")
+
+
+def stamp(leaf: Leaf, release: Release, say: Say) -> None:
+    """Above the title block: for what the sheet is good, the verdict of the design, and which design it is of."""
+    low, top = BLOCK_TOP, BLOCK_TOP + STAMP
+    leaf.box(VISIBLE, BLOCK_LEFT, low, RIGHT, top)
+    wide = RIGHT - BLOCK_LEFT - 2 * PAD
+    verdict = say(Text("Verdict of the calculation: {verdict}", verdict=release.verdict))
+    design = say(Text("design {digest}", digest=release.design)) if release.design else ""
+    leaf.words(shortened(say(release.words), HEAD, wide), BLOCK_LEFT + PAD, top - PAD - HEAD, height=HEAD)
+    leaf.words(design, RIGHT - PAD, low + PAD, "right", layer=TABLE)
+    room = wide - (width(design, LETTER) + PAD if design else 0.0)
+    leaf.words(shortened(verdict, LETTER, room), BLOCK_LEFT + PAD, low + PAD, layer=TABLE)
+
+
 def first_angle(leaf: Leaf, x: float, y: float) -> None:
     """The symbol of first-angle projection, ISO 5456-2: a cone from its side, and behind it as seen from its narrow
     end."""
@@ -133,7 +169,7 @@ SCALES = ((2, 1), (1, 1), (1, 2), (1, 5), (1, 10), (1, 20))
 TABLE_LEFT = RIGHT - sum(COLUMNS)
 MARGIN, BELOW = 4.0, 4.0
 UNDER_MARK = 12.0  # below the frame's centring mark
-LINE = 4.2  # from one line of a note to the next
+LINE = 3.9  # from one line of a note to the next
 
 
 @record
@@ -148,12 +184,13 @@ class WorkshopSheet:
 
 @record
 class DrawnPart:
-    """What the title block says of the part; empty: nobody knows."""
+    """What the title block says of the part; empty: nobody knows.  `of`: what it is a part of."""
 
     title: str
     material: str
     mass: str = ""
     sheet: str = "1/1"
+    of: str = ""
 
 
 def composed(
@@ -164,6 +201,7 @@ def composed(
     control: "DocumentControl",
     say: Say,
     kind: Text,
+    release: Release | None = None,
 ) -> WorkshopSheet:
     """`views`: drawn in a scale, wherever they stand; `kind`: of the document."""
     noted = _noted(notes, say)
@@ -180,7 +218,9 @@ def composed(
     sheet.add(drawn, LEFT + MARGIN + (wide - right - left) / 2, TOP - MARGIN - (high + top + low) / 2)
     sheet.add(noted, LEFT + MARGIN, LOW + MARGIN)
     facts = {"scale": f"{over}:{under}", "material": part.material, "mass": part.mass, "sheet": part.sheet}
-    title_block(sheet, control, part.title, say(kind), facts, say)
+    title_block(sheet, control, part, say(kind), facts, say)
+    if release is not None:
+        stamp(sheet, release, say)
     return WorkshopSheet(title=part.title, scale=over / under, marks=tuple(sheet.marks))
 
 
@@ -193,7 +233,7 @@ def tables(parts: Iterable[SheetTable]) -> Leaf:
             block = Leaf()
             block.table(rows, columns, head)
             low = block.extent[1]
-            if y < 0 and y + low < BLOCK_TOP + BELOW - TOP:
+            if y < 0 and y + low < BLOCK_TOP + STAMP + BELOW - TOP:
                 x, y = x - sum(COLUMNS) - BELOW, -UNDER_MARK
             leaf.add(block, x, y)
             y += low - BELOW

@@ -402,6 +402,11 @@ class Check:
         return self._end(self.at_worst)
 
     @property
+    def kept_at_best(self) -> bool | None:
+        """The same at its favourable end."""
+        return self._end(self.at_best)
+
+    @property
     def verdict(self) -> str:
         finding = self.finding
         return "accepted" if self.accepted and self.kind != "limit" and finding != "pass" else finding

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 from ..sheet.check import Check
 from ..sheet.record import record
-from ..sheet.text import EMPTY, Amount, Small, Text, plural
+from ..sheet.text import EMPTY, SEMICOLON, Amount, Small, Text, plural
 
 
 @record
@@ -22,8 +22,9 @@ class Assumption:
 
     @property
     def lost(self) -> tuple[Check, ...]:
-        """The checks that do not hold where all that is assumed for them is as bad as it can be, the worst first."""
-        lost = [check for check in self.checks if check.kept_at_worst is False]
+        """The checks that do not hold where all that is assumed for them is as bad as it can be, but would at its best,
+        the worst first."""
+        lost = [check for check in self.checks if check.kept_at_worst is False and check.kept_at_best is not False]
         return tuple(sorted(lost, key=_left))
 
     @property
@@ -34,15 +35,23 @@ class Assumption:
     @property
     def risk(self) -> Text:
         """What comes of it at its worst."""
+        said = []
         if self.lost:
             worst, *others = self.lost
             more = plural("; {n} more", "; {n} more", n=len(others)) if others else EMPTY
             value = Amount(float(worst.at_worst or 0.0), worst.unit)  # a number, else it would not be among them
             limit = worst.limit_text()
-            return Text("{check} comes to {value}, needs {limit}", check=worst.name, value=value, limit=limit) + more
+            said.append(
+                Text("{check} comes to {value}, needs {limit}", check=worst.name, value=value, limit=limit) + more
+            )
         if self.unknown:
-            named = Small(self.unknown[0].name)
-            return Text("how far it goes nobody knows: {check}", check=named)
+            said.append(Text("how far it goes nobody knows: {check}", check=Small(self.unknown[0].name)))
+        if said:
+            return SEMICOLON.join(said)
+        if any(check.kept_at_best is False for check in self.checks):
+            return Text("what fails on it fails at its best too")
+        if all(check.at_worst == check.value for check in self.checks):
+            return Text("all hold with it, which is taken as the unfavourable end")
         return Text("all hold at its worst too")
 
 

@@ -8,7 +8,7 @@ from ..draw.annotations import Say
 from ..draw.drawing import Arc, Primitive, Words
 from ..draw.shaft_outline import shaft_drawing
 from ..draw.workshop import shaft_sheet, wheel_sheets
-from ..draw.workshop_sheet import PAPER, WorkshopSheet
+from ..draw.workshop_sheet import PAPER, Release, WorkshopSheet
 from ..gears.profile.drawing import data_table, in_row, reach
 from ..gears.result import TrainResult
 from ..sheet.step import Table
@@ -38,20 +38,33 @@ def drawable(results: Results) -> dict[str, Results]:
     }
 
 
-def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> list[WorkshopSheet]:
+DIGITS = 16  # of the SHA-256 of a design that are printed
+
+
+def release_of(results: Results, sha256: str = "") -> Release:
+    """Whether the sheets of a design may be used: it passes, and somebody has approved it."""
+    signature = dict(results.design.control.signatures())["approved"]
+    approved = " ".join(filter(None, (signature.name, signature.date)))
+    return Release(results.verdict == "pass", results.words(), approved, sha256[:DIGITS])
+
+
+def sheets(
+    results: Results, say: Say = str, data: Mapping[str, object] | None = None, sha256: str = ""
+) -> list[WorkshopSheet]:
     """The workshop drawings of what the design has: each shaft that is no twin, or its wheels where it is of gears
     alone.
 
-    `data`: of the design's file, for what it leaves to the program.
+    `data`: of the design's file, for what it leaves to the program; `sha256`: of that file.
     """
+    release = release_of(results, sha256)
     if results.design.countershaft is None:
-        return wheel_sheets(results, say, data)
+        return wheel_sheets(results, say, data, release)
     views = drawable(results)
     drawn = []
     for n, (name, view) in enumerate(views.items(), 1):
         alone = len(results.design.shafts) == 1 and results.of_shafts  # which one of several in view does not have
-        title = results.design.name if alone else say(_titled(view, name))
-        sheet = shaft_sheet(view, say, data, title=title, sheet=f"{n}/{len(views)}")
+        title = "" if alone else say(_titled(view, name))
+        sheet = shaft_sheet(view, say, data, title=title, sheet=f"{n}/{len(views)}", release=release)
         drawn += [] if sheet is None else [sheet]
     return drawn
 
@@ -59,7 +72,7 @@ def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None =
 def _titled(view: Results, name: str) -> Text:
     """What the title block says of one of several shafts: whose drawing it is, and for which others it stands."""
     words = {"mirrors": Text("{title}; {name} is its mirror image"), "repeats": Text("{title}; {name} is its like")}
-    title = Text("{design}: {name}", design=Name(view.design.name), name=Name(name))
+    title = Text("Balance shaft {name}", name=Name(name))
     for shaft in view.design.resolved:
         if shaft.how in words:
             title = Text(words[shaft.how], title=title, name=Name(shaft.name))

@@ -27,7 +27,7 @@ from ..mounting.wrenches import running
 from ..sheet.check import Check
 from ..sheet.quantity import Published, dotted
 from ..sheet.record import record
-from ..sheet.text import SPACE, Amount, Name, Text
+from ..sheet.text import COMMA, SPACE, Amount, Name, Text
 from ..sheet.verdict import closest
 from ..solve import Results
 
@@ -326,8 +326,11 @@ def drive_row(results: Results) -> tuple[Text, Text] | None:
         force=_both([kilonewtons(of.low, of.high) if of.high else Text("0") for of in at]),
         power=_both([Text("{W}", W=Amount(of.power, digits=2)) for of in at]),
     )
-    for symbol, struck in struck_safeties(results).items():
-        words = Text("{words}; {symbol} {range}", words=words, symbol=Name(symbol), range=struck.words)
+    struck = [
+        Text("{symbol} {range}", symbol=Name(symbol), range=s.words) for symbol, s in struck_safeties(results).items()
+    ]
+    if struck:
+        words = Text("{words}; under strikes {safeties}", words=words, safeties=COMMA.join(struck))
     if drive.assumed:
         words = Text(
             "{words}; with {taken}, a default that knows no load: give the gas and the flywheel",

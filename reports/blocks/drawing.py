@@ -34,7 +34,7 @@ CHORD = 0.02 * MM  # how far the pieces of an arc may stand off it
 
 def drawing_blocks(context: Context) -> list[Block]:
     """A page for each sheet of what the design draws."""
-    drawn = sheets(context.results, context.say, context.document.data)
+    drawn = sheets(context.original or context.results, context.say, context.document.data, context.sha256)
     return [_block(sheet) for sheet in drawn]
 
 

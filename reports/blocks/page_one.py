@@ -11,7 +11,7 @@ from calc.design.names import knows
 from calc.design.unusual import told, unusual
 from calc.sheet.check import SIGNS
 from calc.sheet.text import COMMA, Small, Text
-from calc.sheet.verdict import open_findings
+from calc.sheet.verdict import open_findings, severity
 from calc.studies.described import not_counted
 from calc.studies.headlines import drive_row, governing_safeties
 from calc.studies.load_cases import load_cases
@@ -33,8 +33,9 @@ if TYPE_CHECKING:
 
 LABEL = 78.0  # of the column that says what a line is about
 GAP = 5.0  # above a heading of this page
+LEFT = 3  # of what is not mended
 LONGEST = 500  # characters of purpose, of scope
-MOST = 6  # failures, or what is not verified, by their causes: the others are counted
+MOST = 8  # failures, or what is not verified, by their causes: the others are counted
 
 
 # --- the nearest design
@@ -63,7 +64,7 @@ def mended(context: Context) -> Mended | None:
         repair.nothing_fails,
         after.verdict,
         after.words(),
-        tuple((unmended.name, unmended.why) for unmended in repair.left[:3]),
+        tuple((unmended.name, unmended.why) for unmended in repair.left),
     )
 
 
@@ -81,11 +82,12 @@ def page_one(context: Context, repair: Mended | None) -> list[Block]:
     blocks += _headed(w["load_cases"], _load_cases(context))
     blocks += _not_verified(context)
     rows = _key_results(context)
-    while rows:
-        whole = _headed(w["key_results"], paired_table(context, "", rows))
+    for count in range(len(rows), 0, -1):
+        whole = _headed(w["key_results"], paired_table(context, "", rows[:count]))
+        if count < len(rows):
+            whole += paragraph(context.text("more_proposals", count=len(rows) - count), CELL, gap=1.0)
         if context.depth != "summary" or len(composed(blocks + whole)) == 1:
             return blocks + whole
-        rows = rows[:-1]
     return blocks
 
 
@@ -106,7 +108,7 @@ def _purpose(context: Context) -> list[Block]:
 
 def in_short(words: str) -> str:
     """Words that do not push the verdict off the page; what is left out stands in the file that is attached."""
-    return words if len(words) <= LONGEST else f"{words[:LONGEST].rstrip()}…"
+    return words if len(words) <= LONGEST else f"{words[:LONGEST].rpartition(' ')[0] or words[:LONGEST]} …"
 
 
 def _requirements(context: Context) -> list[Block]:
@@ -117,24 +119,28 @@ def _requirements(context: Context) -> list[Block]:
 
 
 def _reasons(context: Context, repair: Mended | None) -> list[Block]:
-    """The worst of each cause that fails, and the changes with which none does; where none fails, what warns."""
-    w, verdict = context.words, "fail" if repair is not None else "warn"
-    groups = [group for group in open_findings(list(context.results.checks())) if group[0].verdict == verdict]
-    if not groups or context.results.verdict not in ("fail", "warn"):
-        return []
+    """Which steps have no solution and why; the worst of each cause that fails, and the changes with which none does;
+    where none fails, what warns."""
+    w = context.words
+    unsolved: list[Row] = [
+        (Cell(context.title(step), STRONG), outcome.reason)
+        for _, step, outcome in context.steps()
+        if outcome.state in ("no_solution", "blocked") and outcome.reason
+    ]
+    blocks = table((Column(width=LABEL), Column()), unsolved, gap=4.0, header=False) if unsolved else []
+    every = open_findings(list(context.results.checks()))
+    verdict = "fail" if any(group[0].verdict == "fail" for group in every) else "warn"
+    groups = sorted((group for group in every if group[0].verdict == verdict), key=lambda group: severity(group[0]))
+    if not groups:
+        return blocks
     rows: list[Row] = []
     for worst, *others in groups[:MOST]:
         more = sum(check.verdict == verdict for check in others)
         name = name_of(context, worst)
         cells = shown_value(context, worst), context.say(worst.limit_text()), context.say(worst.margin_text())
         rows.append((context.text("with_more", name=name, n=more) if more else name, *cells))
-    columns = (
-        Column(w["check"]),
-        Column(w["value"], "r"),
-        Column(w["limit"], "r"),
-        Column(w["margin"], "r"),
-    )
-    blocks = _headed(w["failures" if verdict == "fail" else "warnings"], table(columns, rows, gap=1.0))
+    columns = Column(w["check"]), Column(w["value"], "r"), Column(w["limit"], "r"), Column(w["margin"], "r")
+    blocks += _headed(w["failures" if verdict == "fail" else "warnings"], table(columns, rows, gap=1.0))
     if len(groups) > MOST:
         blocks += paragraph(context.text("further", n=len(groups) - MOST), CELL, gap=1.0)
     return blocks + (_what_it_takes(context, repair) if repair is not None else [])
@@ -145,7 +151,9 @@ def _what_it_takes(context: Context, repair: Mended) -> list[Block]:
     words = []
     if repair.changes:
         words.append(f"{context.say(repair.changes)}.")
-    words += [context.text("nearest_left", name=name, why=why) for name, why in repair.left]
+    words += [context.text("nearest_left", name=name, why=why) for name, why in repair.left[:LEFT]]
+    if len(repair.left) > LEFT:
+        words.append(context.text("more_left", n=len(repair.left) - LEFT))
     rows: list[Row] = [(Cell(context.words["it_takes"], STRONG), " ".join(words))]
     return table((Column(width=LABEL), Column()), rows, gap=2.0, header=False) if words else []
 
@@ -160,15 +168,12 @@ def _load_cases(context: Context) -> list[Block]:
 def _not_verified(context: Context) -> list[Block]:
     """What is not verified, with what to give; and what no input describes."""
     w = context.words
-    groups = [group for group in open_findings(list(context.results.checks())) if group[0].verdict == "not_verified"]
-    rows: list[Row] = [
-        (name_of(context, worst), context.say(not_given(context, (worst, *others)))) for worst, *others in groups[:MOST]
-    ]
-    blocks = (
-        table((Column(w["not_verified_title"], width=0.45 * WIDTH), Column(w["to_give"])), rows, gap=GAP)
-        if rows
-        else []
-    )
+    every = open_findings(list(context.results.checks()))
+    found = [[check for check in group if check.verdict == "not_verified"] for group in every]
+    groups = [group for group in found if group]
+    rows: list[Row] = [(name_of(context, group[0]), context.say(not_given(context, group))) for group in groups[:MOST]]
+    columns = Column(w["not_verified_title"], width=0.45 * WIDTH), Column(w["to_give"])
+    blocks = table(columns, rows, gap=GAP) if rows else []
     if len(groups) > MOST:
         blocks += paragraph(context.text("further", n=len(groups) - MOST), CELL, gap=1.0)
     if uncounted := [context.say(text) for text in not_counted(context.design)]:

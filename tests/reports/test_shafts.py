@@ -91,8 +91,8 @@ def test_it_verifies(single: Solved) -> None:
 def test_each_original_has_its_drawing(single: Solved) -> None:
     drawn = sheets(single.results, data=single.document.data)
     assert [sheet.title for sheet in drawn] == [
-        "single cylinder: a; b is its mirror image",
-        "single cylinder: c; d is its mirror image",
+        "Balance shaft a; b is its mirror image",
+        "Balance shaft c; d is its mirror image",
     ]
     words = [{mark.text for mark in sheet.marks if isinstance(mark, Words)} for sheet in drawn]
     assert "1/2" in words[0] and "2/2" in words[1]

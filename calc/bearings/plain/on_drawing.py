@@ -23,8 +23,7 @@ WIDE, BORES = 112.0, 36.0  # of the table of classes, and of its bore classes
 
 def turned(row: BearingRow, inputs: BearingsInputs) -> TurnedJournal:
     fit = inputs.of(row).journal_fit
-    field = None if fit == ASSUMED_FIT else parse(fit, "shaft")
-    return TurnedJournal(_limits(row, inputs), field, row.journal_roughness)
+    return TurnedJournal(_limits(row, inputs), parse(fit, "shaft"), row.journal_roughness, fit == ASSUMED_FIT)
 
 
 def _limits(row: BearingRow, inputs: BearingsInputs) -> tuple[Metre, Metre] | None:

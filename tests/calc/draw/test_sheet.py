@@ -28,8 +28,11 @@ from calc.draw.lettering import room, strokes, written
 from calc.draw.workshop import shaft_sheet
 from calc.draw.workshop_sheet import BLOCK_LEFT, BLOCK_TOP, COLUMNS, LEFT, LOW, RIGHT, TOP, tables
 from calc.locale import language
+from calc.sheet.record import replace
 from calc.solve import solve
+from calc.studies.drawings import sheets
 from tests.conftest import DESIGNS, GAMMA
+from tests.made_checks import made_check
 
 MM = 1e-3
 SECTIONS = [
@@ -225,8 +228,8 @@ def test_the_final_design_is_rounded_as_a_drawing_is(sheet):
     assert labels == ["15", "27.5", "0.4", "151.4", "2.1", "151.6", "(2.5)", "26.5", "335", "(377)"]
     said = [words.text for words in letters(sheet)]
     for text in (
-        "⌀59.5",
-        "⌀81",
+        "⌀59.5 ±0.015",
+        "⌀81 ±0.0175",
         "⌀57.95 (0/−0.1)",
         "R40.5",
         "R15",
@@ -330,14 +333,16 @@ def test_the_clearance_of_the_journals_is_noted(sheet, gamma_results):
 def test_what_the_design_does_not_give_is_said_and_not_put_in(sheet):
     said = " ".join(words.text for words in letters(sheet))
     for text in (
-        "Not given by the design: fits of the journals",
-        "heat treatment",
+        "Not given by the design: heat treatment",
         "chamfers and centre holes",
         "places of the calibration",
     ):
         assert text in said
-    assert "Chosen by the program, not by the design: the grade of balancing, the accuracy grade of the teeth." in said
-    assert "IT7" not in said
+    assert (
+        "Chosen by the program, not by the design: the grade of balancing, the accuracy grade of the teeth, IT7 of the journals."
+        in said
+    )
+    assert "⌀59.5 ±0.015" in said and "⌀81 ±0.0175" in said  # ISO 286-1: IT7 is 30 µm to 80 mm, 35 µm to 120 mm
 
 
 def test_the_title_block_says_what_the_document_says():
@@ -345,7 +350,8 @@ def test_the_title_block_says_what_the_document_says():
     sheet = shaft_sheet(solve(design(document)), data=document.data)
     said = [words.text for words in letters(sheet)]
     for text in (
-        "R753IE4 counter-shaft, sized",
+        "Counter-shaft",
+        "Title, part of R753IE4 counter-shaft, sized",
         "R753IE4-S",
         "Counter-shaft of the R753IE4",
         "The Contralbero founders",
@@ -375,3 +381,24 @@ def test_a_size_is_never_cut_in_a_table():
         leaf = Leaf()
         leaf.table([("Span over 3 teeth", cell)], (68.0, 44.0))
         assert [mark.text for mark in leaf.marks if isinstance(mark, Words)] == words
+
+
+def released(data, verdict, **who):
+    results = solve(design(Document(data | {"document": who})))
+    checks = (made_check(5.0 if verdict == "pass" else 11.0, "<=", 10.0, unit="mm", id="engine.fail.x"),)
+    outcomes = {key: replace(outcome, checks=()) for key, outcome in results.outcomes.items()}
+    outcomes["engine"] = replace(outcomes["engine"], checks=checks)
+    (sheet,) = sheets(replace(results, outcomes=outcomes), sha256="0123456789abcdef" * 4)
+    return [words.text for words in letters(sheet)]
+
+
+def test_a_sheet_says_for_what_it_is_good():
+    """Not for manufacture unless the design passes and somebody has approved it; of which design it is, and how that
+    came out."""
+    data, approved = CASES["gamma"](), {"approved": {"name": "A. Rossi", "date": "2026-03-14"}}
+    said = released(data, "fail", **approved)
+    assert "PRELIMINARY, NOT FOR MANUFACTURE" in said and "design 0123456789abcdef" in said
+    assert "Verdict of the calculation: FAIL: 1 failed" in said
+    assert "PRELIMINARY, NOT FOR MANUFACTURE: not approved" in released(data, "pass")
+    said = released(data, "pass", **approved)
+    assert "Released: A. Rossi 2026-03-14" in said and not any("PRELIMINARY" in text for text in said)

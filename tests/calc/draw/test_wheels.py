@@ -29,7 +29,7 @@ def pair():
 
 def test_every_wheel_has_its_sheet(pair):
     _, made = pair
-    assert [sheet.title.rpartition(": ")[2] for sheet in made] == ["crank", "camshaft"]
+    assert [sheet.title for sheet in made] == ["Gear crank", "Gear camshaft"]
     assert [
         next(text for text in map(str, (w.text for w in letters(sheet))) if text in ("1/2", "2/2")) for sheet in made
     ] == ["1/2", "2/2"]

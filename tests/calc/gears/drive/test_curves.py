@@ -222,6 +222,6 @@ def test_the_row_of_the_first_page(results: Results, gamma_results: Results) -> 
     assert title == "Drive at idle / hardest"
     assert words == (
         "grade B; strikes of 58 / 92 mm/s at 900 rpm, no load / 1518 rpm, full load; force some 1.8 to 3.0 kN / 3.0 to "
-        "4.9 kN; power about 0.92 / 4 W at most; S_H 0.94 to 1.08; S_F 1.10 to 1.49"
+        "4.9 kN; power about 0.92 / 4 W at most; under strikes S_H 0.94 to 1.08, S_F 1.10 to 1.49"
     )
     assert drive_row(gamma_results)[1].endswith("a default that knows no load: give the gas and the flywheel")
