@@ -131,9 +131,12 @@ class Release:
     def words(self) -> Text:
         if self.passes and self.approved:
             return Text("Released: {approved}", approved=self.approved)
-        if self.passes:
-            return Text("PRELIMINARY, NOT FOR MANUFACTURE: not approved")
         return Text("PRELIMINARY, NOT FOR MANUFACTURE")
+
+    @property
+    def judged(self) -> Text:
+        verdict = Text("Verdict of the calculation: {verdict}", verdict=self.verdict)
+        return verdict if self.approved else Text("{verdict}; not approved", verdict=verdict)
 
 
 def stamp(leaf: Leaf, release: Release, say: Say) -> None:
@@ -141,7 +144,7 @@ def stamp(leaf: Leaf, release: Release, say: Say) -> None:
     low, top = BLOCK_TOP, BLOCK_TOP + STAMP
     leaf.box(VISIBLE, BLOCK_LEFT, low, RIGHT, top)
     wide = RIGHT - BLOCK_LEFT - 2 * PAD
-    verdict = say(Text("Verdict of the calculation: {verdict}", verdict=release.verdict))
+    verdict = say(release.judged)
     design = say(Text("design {digest}", digest=release.design)) if release.design else ""
     leaf.words(shortened(say(release.words), HEAD, wide), BLOCK_LEFT + PAD, top - PAD - HEAD, height=HEAD)
     leaf.words(design, RIGHT - PAD, low + PAD, "right", layer=TABLE)
