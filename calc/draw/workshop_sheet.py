@@ -135,7 +135,7 @@ class Release:
 
     @property
     def judged(self) -> Text:
-        verdict = Text("Verdict of the calculation: {verdict}", verdict=self.verdict)
+        verdict = Text("Calculation: {verdict}", verdict=self.verdict)
         return verdict if self.approved else Text("{verdict}; not approved", verdict=verdict)
 
 

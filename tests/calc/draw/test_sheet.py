@@ -398,8 +398,8 @@ def test_a_sheet_says_for_what_it_is_good():
     data, approved = CASES["gamma"](), {"approved": {"name": "A. Rossi", "date": "2026-03-14"}}
     said = released(data, "fail", **approved)
     assert "PRELIMINARY, NOT FOR MANUFACTURE" in said and "design 0123456789abcdef" in said
-    assert "Verdict of the calculation: FAIL: 1 failed" in said
+    assert "Calculation: FAIL: 1 failed" in said
     said = released(data, "pass")
-    assert "PRELIMINARY, NOT FOR MANUFACTURE" in said and "Verdict of the calculation: PASS; not approved" in said
+    assert "PRELIMINARY, NOT FOR MANUFACTURE" in said and "Calculation: PASS; not approved" in said
     said = released(data, "pass", **approved)
     assert "Released: A. Rossi 2026-03-14" in said and not any("PRELIMINARY" in text for text in said)
