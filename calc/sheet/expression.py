@@ -9,7 +9,7 @@ for a terminal, the report typesets the same tree.  Loaded only when something i
 import ast
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 
 from .formula import definition, units
@@ -17,7 +17,7 @@ from .number import DIGITS, LISTED, SUBSCRIPTS, SUPERSCRIPTS, all_rounded, round
 from .record import record
 from .text import COMMA, EMPTY, Name, Text, with_unit
 from .units import UNITS
-from .value import Equation, Line
+from .value import Equation, Line, link_of
 
 # --- with how many digits the numbers of a substitution are written, so that working it out again gives the value
 # A value has four digits.  Its arguments have four as well, and more where they are needed: where a difference takes
@@ -203,6 +203,13 @@ def substituted(tree: Expr, numbers: Mapping[str, str]) -> Expr:
     return Expr(tree.head, tuple(substituted(a, numbers) for a in tree.args), tree.name)
 
 
+def renamed(tree: Expr, called: Mapping[str, str]) -> Expr:
+    """The same tree with other symbols."""
+    if tree.head == "symbol":
+        return Expr("symbol", name=called.get(tree.name, tree.name))
+    return Expr(tree.head, tuple(renamed(a, called) for a in tree.args), tree.name)
+
+
 # --- one recorded line, ready to be shown
 
 
@@ -296,8 +303,34 @@ def symbol_of(line: Line) -> str:
     return re.sub(r"_n(?![^\W_])", f"_{order:g}", named)
 
 
-def show(line: Line, at: tuple[int, ...] | None = None) -> Shown:
-    """A line made readable; of arrays the element that governs, or the one at the place `at`."""
+ANYWHERE = "_y"  # the index of what holds at any diameter, ISO 21771
+
+
+def symbols_put_in(lines: Sequence[Line]) -> dict[str, str]:
+    """The symbols of a formula that stand for a value with one of its own, each with that: in ψ = g/d the clearance at
+    one temperature, g_T.  Of several lines only what all of them say.
+
+    The formula's own symbol stays where it says more (d_b1 of two base circles that are both d_b, α_K of an angle α_y
+    at any place y), where the value is called by another letter, and where two values would be called alike."""
+    first, *others = (_put_in(line) for line in lines)
+    return {own: said for own, said in first.items() if all(other.get(own) == said for other in others)}
+
+
+def _put_in(line: Line) -> dict[str, str]:
+    formula, known = line.formula, {}
+    for name, x in line.arguments.items():
+        own, link = formula.names.get(name, symbol(name)), link_of(x)
+        said = symbol_of(link) if isinstance(link, Line) else own
+        alike = own.partition("_")[0] == said.partition("_")[0]
+        says_more = not own.startswith(said) and not said.endswith(ANYWHERE)
+        known[own] = said if alike and says_more else own
+    every = [symbol_of(line), *known, *known.values()]
+    return {own: said for own, said in known.items() if said != own and every.count(said) == 1}
+
+
+def show(line: Line, at: tuple[int, ...] | None = None, put_in: Mapping[str, str] | None = None) -> Shown:
+    """A line made readable; of arrays the element that governs, or the one at the place `at`.  `put_in`: the symbols of
+    the values that stand in the formula; left out, those of this line."""
     formula = line.formula
     index = _place(line, at)
     shape = getattr(line.value, "shape", ())
@@ -317,6 +350,8 @@ def show(line: Line, at: tuple[int, ...] | None = None) -> Shown:
     if index is not None and (size := math.prod(shape)) > 1:
         template = NUMBERED if index == at else GOVERNS[formula.governs]
         where = Text(template.template, size=size, number=index[-1] + 1)
+    if tree is not None and (called := symbols_put_in([line]) if put_in is None else put_in):
+        tree = renamed(tree, called)
     return Shown(symbol_of(line), tree, numbers, shows, *_result(formula, value), formula.source, line.about, where)
 
 
@@ -384,14 +419,7 @@ def line_text(line: Line, say: Callable[[str], str] = str, number: Callable[[str
     if shown.formula is None or shown.numbers is None:
         return f"{head}: {say(shown.shows)}", f"= {result}", say(shown.source)
     substitution = f"= {number(text(shown.numbers))} = {result}"
-    return f"{head} = {number(_written(line.formula))}", substitution, say(shown.source)
-
-
-@cache
-def _written(formula: Equation) -> str:
-    """Its expression as text."""
-    tree = expression(formula)
-    return text(tree) if tree is not None else ""
+    return f"{head} = {number(text(shown.formula))}", substitution, say(shown.source)
 
 
 def line_json(line: Line) -> dict[str, str]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from calc.locale import Language
-from calc.sheet.expression import Shown, plain, respelled, result, show, symbol_of, text
+from calc.sheet.expression import Shown, plain, respelled, result, show, symbol_of, symbols_put_in, text
 from calc.sheet.text import Name, with_unit
 from calc.sheet.value import Equation, Line
 
@@ -89,7 +89,8 @@ def entry_blocks(
     Of each part ("front bearing") the first calculation stands with its numbers; its others ("front bearing, twice the
     load") with their values only.  Of more than two parts only the first is written out, unless the numbers fit on a
     line."""
-    first = shown(entry.lines[0][1], context.say, entry.places.get(entry.lines[0][1]))
+    called = symbols_put_in([line for _, line in entry.lines])
+    first = shown(entry.lines[0][1], context.say, entry.places.get(entry.lines[0][1]), called)
     alike = len({symbol_of(line) for _, line in entry.lines}) == 1
     indexed = BETWEEN.join(
         dict.fromkeys(noted_line(context, line) for _, line in (entry.lines if alike else entry.lines[:1]))
@@ -228,9 +229,9 @@ def _value(line: Shown) -> list[SetPiece]:
     return [SetPiece(space(0.34 * SIZE)), SetPiece(row(boxes), -0.5)]
 
 
-def shown(line: Line, say: Language, place: Place | None = None) -> Shown:
-    """A line as the report shows it."""
-    shown_line = show(line, place.index if place else None)
+def shown(line: Line, say: Language, place: Place | None = None, called: Mapping[str, str] | None = None) -> Shown:
+    """A line as the report shows it; `called`: the symbols of the values that stand in its formula."""
+    shown_line = show(line, place.index if place else None, called)
     number = say.number
     where = place.words if place and shown_line.where else say(shown_line.where)
     return replace(
