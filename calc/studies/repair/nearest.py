@@ -10,7 +10,7 @@ from ...countershaft.left_over import RESIDUAL, RESIDUAL_FORCE
 from ...countershaft.outline import CROSSING, MASS_SHAPE
 from ...design.addresses import value_at
 from ...design.model import IN_SENTENCES
-from ...design.names import words, words_each
+from ...design.names import in_context, words, words_each
 from ...design.toml_file import Document
 from ...gears.checks import (
     CONTACT_RATIO,
@@ -342,7 +342,8 @@ class _Step:
                 return mended
             still = [c.name for c in mended.outcome(self.step).checks if _still(c, ids)]
             if worse:
-                reason = Text("with what repairs it {check} is not kept", check=worse[0])
+                named = {check.id: in_context(check.name, check.id) for check in mended.results.checks()}
+                reason = Text("with what repairs it {check} is not kept", check=named.get(worse[0], worse[0]))
             else:
                 reason = Text("the nearest still fails: {checks}", checks=COMMA.join(still))
         for id in ids or [self.step]:
