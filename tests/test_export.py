@@ -106,7 +106,7 @@ def test_dxf_is_the_shaft(capsys, tmp_path, design):
     contour = max((p for p in document.modelspace().query('LWPOLYLINE[layer=="VISIBLE"]') if p.closed), key=len)
     xs, ys = zip(*((x, y) for x, y, *_ in contour.get_points()))
     assert (max(xs) - min(xs), max(ys) - min(ys)) == pytest.approx((140.0, 32.0))
-    assert "a shaft alone" in [text.dxf.text for text in document.modelspace().query("TEXT")]
+    assert "Title, part of a shaft alone" in [text.dxf.text for text in document.modelspace().query("TEXT")]
     before = out.read_bytes()
     assert run(capsys, "export", design(PLAIN + SECTIONS), "-o", out)[0] == 0  # the ending decides
     assert out.read_bytes() == before
