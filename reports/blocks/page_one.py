@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from calc.design.key_results import key_results
 from calc.design.names import knows
 from calc.design.unusual import told, unusual
-from calc.sheet.check import SIGNS
+from calc.sheet.check import SIGNS, Check
 from calc.sheet.text import COMMA, Small, Text
 from calc.sheet.verdict import open_findings, severity
 from calc.studies.described import not_counted
@@ -143,7 +143,25 @@ def _reasons(context: Context, repair: Mended | None) -> list[Block]:
     blocks += _headed(w["failures" if verdict == "fail" else "warnings"], table(columns, rows, gap=1.0))
     if len(groups) > MOST:
         blocks += paragraph(context.text("further", n=len(groups) - MOST), CELL, gap=1.0)
-    return blocks + (_what_it_takes(context, repair) if repair is not None else [])
+    if repair is not None:
+        blocks += _what_it_takes(context, repair)
+    return blocks + (_worst_warning(context, every) if verdict == "fail" else [])
+
+
+def _worst_warning(context: Context, every: list[tuple[Check, ...]]) -> list[Block]:
+    """What warns most where something fails: the others stand with the findings."""
+    groups = sorted((group for group in every if group[0].verdict == "warn"), key=lambda group: severity(group[0]))
+    if not groups:
+        return []
+    worst, w = groups[0][0], context.words
+    words = context.text(
+        "worst_warning",
+        name=name_of(context, worst),
+        value=shown_value(context, worst),
+        limit=context.say(worst.limit_text()),
+    )
+    rows: list[Row] = [(Cell(w["warns_most"], STRONG), words)]
+    return table((Column(width=LABEL), Column()), rows, gap=0.0, header=False)
 
 
 def _what_it_takes(context: Context, repair: Mended) -> list[Block]:
