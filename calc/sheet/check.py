@@ -81,7 +81,7 @@ class Missing:
     worst: End
 
 
-def _end(number: End | None, shown: Callable[[float], float]) -> End:
+def _shown_end(number: End | None, shown: Callable[[float], float]) -> End:
     if number is None:  # nothing could be computed there, which is no value that holds
         return math.nan
     return shown(number) if isinstance(number, (int, float)) and math.isfinite(number) else number
@@ -209,8 +209,8 @@ class CheckRule:
             zero_scale=None if scale is None else abs(shown(scale)),
             missing=missing.keys if missing is not None else (),
             taken=missing.taken if missing is not None else (),
-            at_best=_end(missing.best, shown) if missing is not None else None,
-            at_worst=_end(missing.worst, shown) if missing is not None else None,
+            at_best=_shown_end(missing.best, shown) if missing is not None else None,
+            at_worst=_shown_end(missing.worst, shown) if missing is not None else None,
             base=shown(base) if base else 0.0,
         )
         if remedies is None or this_check.holds:
@@ -383,7 +383,7 @@ class Check:
             return "pass" if self.holds else "note"
         passed_over = "fail" if self.kind == "limit" else "warn"
         if self.at_best is not None:
-            best, worst = self._end(self.at_best), self._end(self.at_worst)
+            best, worst = self.kept_at_best, self.kept_at_worst
             if best is False:
                 return passed_over
             if not (best and worst and self.holds):

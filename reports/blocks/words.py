@@ -119,7 +119,7 @@ WORDS: dict[str, Text] = {
     "blocked_text": Text("this step {reason}."), "no_solution_text": Text("{reason}."), "no_checks": Text("no checks"),
     "no_limits": Text("no limits"),
     "held": plural("{n} limit holds", "{n} limits hold", n=0), "of_judged": Text("of {count} judged"),
-    "unused": Text("not used: {steps}"), "not_counted": Text("Not counted, since no input describes it: {what}."), 
+    "unused": Text("not used: {steps}"), 
     "open_advice": plural("{n} piece of advice", "{n} pieces of advice", n=0),
     "open_method": plural("{n} note on the method", "{n} notes on the method", n=0),
     "counted_attention": Text("What is open: {findings}"),
