@@ -216,7 +216,8 @@ def solve(
     inside `recorded(False)`.
 
     `before`: the results of an earlier version, of which unchanged parts are taken over.  `compared`: with what other
-    methods give beside those that judge; every verdict is the same without.  `stop` is asked between the parts whether
+    methods give beside those that judge; every verdict is the same without, but there is none on how far the methods
+    lie apart.  `stop` is asked between the parts whether
     nobody waits for the results any more; then Cancelled is raised.  `enough` is asked after each part: where what
     there is of its step decides all that is asked, the outcomes so far are returned."""
     kept = before.parts if before is not None and before.recorded >= recording.get() else {}

@@ -10,6 +10,7 @@ from pypdf import PdfReader
 from assistant.cli import main
 from calc.design.toml_file import design, parse, read
 from calc.sheet.check import SIGNS
+from calc.sheet.value import recorded
 from calc.solve import Results, solve
 from calc.studies.ready import readiness
 from calc.studies.shipped import DESIGNS
@@ -160,3 +161,14 @@ def test_the_report_says_the_state_of_the_program(name: str, tmp_path: Path) -> 
     page = " ".join(PdfReader(pdf).pages[0].extract_text().split())
     state, _, open_ones = str(results.words()).partition(": ")
     assert state in page and open_ones in page
+
+
+@pytest.mark.parametrize("path", each_shipped())
+def test_verdicts_need_neither_lines_nor_other_methods(path):
+    """What the session shows ahead of the results."""
+    whole = solve(design(read(path)))
+    with recorded(False):
+        brief = solve(whole.design, compared=False)
+    assert brief.words() == whole.words()
+    judged = {check.id: (check.verdict, check.value) for check in whole.checks() if "routes_spread" not in check.id}
+    assert str({check.id: (check.verdict, check.value) for check in brief.checks()}) == str(judged)  # nan is nan

@@ -31,7 +31,6 @@ from ..session.places import SITS_ON, WHEELS, named_key
 from ..session.session import Session
 from ..session.solving import Answer, Job, run
 from ..widgets.calculation import Calculation
-from ..widgets.checks import Checks
 from ..widgets.field import Field
 from ..widgets.form import Form, Taken
 from ..widgets.headings import ArrayHeading, Fold, TableHeading
@@ -134,7 +133,7 @@ class WorkbenchResults(WorkbenchPanes):
         """Solve what is to be solved, one at a time; an edit in the meantime stops it, and it begins once more."""
         if self._solving:
             return
-        job = self.session.job()
+        job = self.session.brief_job() or self.session.job()
         if job is None:
             self.query_one(TopLine).slow = False
             if self.session.current:
@@ -166,10 +165,25 @@ class WorkbenchResults(WorkbenchPanes):
             session.accept(answer)
         if not self.stands:  # it is solved again as soon as it does
             return
-        if self.session.job() is not None:  # edited in the meantime
+        if answer.brief and session.judged:
+            self.call_later(self._show_ahead)
+        elif self.session.job() is not None:  # edited in the meantime, or only judged and that failed
             self.solve()
         else:
             self.call_later(self._show)  # behind the keys that wait, of which the next may be an edit
+
+    def _show_ahead(self) -> None:
+        """The verdicts, ahead of the results."""
+        if not self.stands or self._solving:  # edited in the meantime
+            return
+        self.checks.set_stale(False)
+        self.show_verdicts()
+        self.after_paint(self._go_on_solving)
+
+    def _go_on_solving(self) -> None:
+        if self.stands:
+            self.solve()
+            self.show_state()
 
     def _show(self) -> None:
         if not self.stands or self._solving or self.session.job() is not None:  # edited in the meantime
@@ -188,8 +202,9 @@ class WorkbenchResults(WorkbenchPanes):
 
     def _set_stale(self, stale: bool) -> None:
         """Dim the results that do not belong to what the fields say."""
-        for results in (Checks, Calculation, TableList):
+        for results in (Calculation, TableList):
             self.query_one(results).set_stale(stale)
+        self.checks.set_stale(stale and not self.session.judged)
 
     # --- the calculation, written out
     def write_out(self) -> None:
@@ -396,6 +411,8 @@ class WorkbenchResults(WorkbenchPanes):
         return known or EMPTY
 
     def _known_slopes(self, name: str) -> Text | None:
+        if not self.session.current:
+            return None
         if self._slopes[0] is not self.session.results:
             self._slopes = self.session.results, {}
         return self._slopes[1].get(name)
@@ -446,7 +463,7 @@ class WorkbenchResults(WorkbenchPanes):
     # --- showing the results
     def show_verdicts(self) -> None:
         """The checks and verdicts: first, and at once."""
-        results = self.session.results
+        results = self.session.verdicts
         outcome, first = None, None
         if results is not None:
             from calc.studies.headlines import lead  # with numpy

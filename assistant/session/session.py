@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from calc.solve import Results
 
 
+LONG = 0.1  # seconds of a solve from which on its verdicts are worth a solve of their own, ahead of it
 ALONE = {"schema", "name", "note", "engine"}  # the keys of a design with nothing but an engine
 
 
@@ -59,6 +60,7 @@ class Session(Editing):
         self.results: Results | None = None
         self.seconds, self.failure = 0.0, EMPTY
         self.solved = 0  # the generation of the results
+        self._ahead: tuple[int, Results | None] = (0, None)  # verdicts ahead of the results, and their generation
         self.autosaved: datetime | None = None
         self.autosave_failure = EMPTY
         self._keeping = threading.Lock()  # edits are kept in another thread than they are made and saved in
@@ -240,6 +242,17 @@ class Session(Editing):
         """The results belong to what the fields say."""
         return self.valid and self.solved == self.generation and not self.failure
 
+    @property
+    def judged(self) -> bool:
+        """The verdicts belong to what the fields say; the results may not yet."""
+        generation, results = self._ahead
+        return self.current or (self.valid and generation == self.generation and results is not None)
+
+    @property
+    def verdicts(self) -> "Results | None":
+        """What there is to be shown at once: the results, or the verdicts ahead of them, which have no lines."""
+        return self.results if self.current or not self.judged else self._ahead[1]
+
     def values(self) -> dict[str, Published]:
         """Every value of the results, by its id."""
         if self._values[0] is not self.results:
@@ -311,10 +324,20 @@ class Session(Editing):
         asked = self.generation
         return Job(asked, self.design, self.results, stop=lambda: self.generation != asked)
 
+    def brief_job(self) -> Job | None:
+        """What is to be solved ahead of that, for the verdicts alone; None where all of it takes hardly longer."""
+        job = self.job()
+        if job is None or job.before is None or self.seconds < LONG or self._ahead[0] == self.generation:
+            return None
+        return replace(job, brief=True)
+
     def accept(self, answer: Answer) -> bool:
         """Take over what a solve gave; an answer to an older question is dropped."""
         if answer.generation != self.generation or (self.errors and self.results is not None):
             return False
+        if answer.brief:  # where it failed, the whole says why
+            self._ahead = answer.generation, answer.results
+            return True
         if not self.errors:
             self.solved = answer.generation
         self.failure = answer.failure

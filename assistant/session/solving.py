@@ -25,17 +25,19 @@ class Job:
     design: Design = field(repr=False)  # they are large, and a screen may want to name this in its log
     before: "Results | None" = field(repr=False)
     stop: Callable[[], bool] = field(default=bool, repr=False)  # whether nobody waits for the answer any more
+    brief: bool = False  # for the verdicts alone: without lines and other methods, which is half of the work
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What a solve gave.  There are no results where it was stopped, or where `failure` says that the program itself
-    went wrong."""
+    """What a solve gave, a `brief` one for the verdicts alone.  There are no results where it was stopped, or where
+    `failure` says that the program itself went wrong."""
 
     generation: int
     results: "Results | None" = field(repr=False)
     seconds: float
     failure: Text = EMPTY
+    brief: bool = False
 
 
 def mistake(error: Exception) -> Text:
@@ -49,17 +51,18 @@ def run(job: Job) -> Answer:
     """Solve.  The numerics are loaded here, not at the start of the program."""
     started = time.perf_counter()
     try:
+        from calc.sheet.value import recorded
         from calc.solve import solve
 
         def go_on() -> None:
             if job.stop():
                 raise Cancelled
 
-        with waited_for(go_on):
-            results = solve(job.design, job.before)  # which asks between its parts
+        with waited_for(go_on), recorded(not job.brief):
+            results = solve(job.design, job.before, compared=not job.brief)  # which asks between its parts
         results.values()  # gathered here, so that the screen need not wait for it
     except Cancelled:
-        return Answer(job.generation, None, 0.0)
+        return Answer(job.generation, None, 0.0, brief=job.brief)
     except Exception as error:  # a mistake of the program must not take the user's work with it
-        return Answer(job.generation, None, 0.0, mistake(error))
-    return Answer(job.generation, results, time.perf_counter() - started)
+        return Answer(job.generation, None, 0.0, mistake(error), job.brief)
+    return Answer(job.generation, results, time.perf_counter() - started, brief=job.brief)

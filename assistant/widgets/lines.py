@@ -67,9 +67,9 @@ class MessageLine(Widget):
             return "invalid", self._mistake(reasons)
         if session.failure:
             return "fail", say(session.failure)
-        if session.results is None:
+        if (results := session.verdicts) is None:
             return "solving", say(Text("solving …"))
-        outcome = session.results.outcomes[self.step]
+        outcome = results.outcomes[self.step]
         if outcome.state in ("blocked", "no_solution"):
             return outcome.state, say(outcome.reason)
         chosen = next((check for check in outcome.checks if check.id == self.finding), None)
@@ -79,7 +79,7 @@ class MessageLine(Widget):
         ahead = self._ahead(states)
         if ahead and outcome.verdict == "not_verified" and nothing_left(states, self.step):
             return "todo", say(ahead)
-        if urgent := self._urgent_here(outcome, brief) or self._urgent_anywhere(session.results, brief):
+        if urgent := self._urgent_here(outcome, brief) or self._urgent_anywhere(results, brief):
             return urgent
         if ahead:
             return "todo", say(ahead)
@@ -215,7 +215,7 @@ class MessageLine(Widget):
 
     def _stands_beside(self) -> bool:
         """Whether the message is the finding at the head of those of this step, or that under the cursor there."""
-        results = self.session.results
+        results = self.session.verdicts
         if self.session.lacking or self.session.reasons() or self.session.failure or results is None:
             return False
         checks = results.outcomes[self.step].checks
@@ -277,7 +277,7 @@ class TopLine(Widget):
         width = self.size.width
         short = width < 100
         unsolved = not session.valid or bool(session.failure)
-        dim = "dim " if session.results is not None and not session.current and not unsolved else ""
+        dim = "dim " if session.results is not None and not session.judged and not unsolved else ""
         if unsolved:
             time = ""  # the words of the state say it
         elif self.slow or not session.current:

@@ -35,13 +35,13 @@ INDENT = "  "
 def states_of(session: Session) -> tuple[StepState, ...]:
     """The state of every step of a design under edit; where it could not be solved, results of an earlier design do not
     count."""
-    results = None if session.failure else session.results
+    results = None if session.failure else session.verdicts
     return readiness(session.data, results, map(_dotted, session.reasons()))
 
 
 def whole_of(session: Session) -> Readiness:
     """Whether a design under edit is ready, and what to say of it."""
-    return whole(states_of(session), None if session.failure else session.results)
+    return whole(states_of(session), None if session.failure else session.verdicts)
 
 
 def verdict_of(session: Session) -> tuple[str, str, Text]:
@@ -53,7 +53,7 @@ def verdict_of(session: Session) -> tuple[str, str, Text]:
         return "invalid", "invalid", Text("input is not valid")
     if session.failure:
         return "fail", "fail", Text("not solved")
-    if (results := session.results) is None:
+    if (results := session.verdicts) is None:
         return "waits", "waits", EMPTY
     return results.verdict, results.colour, results.words()
 
@@ -61,7 +61,7 @@ def verdict_of(session: Session) -> tuple[str, str, Text]:
 def worst_words(session: Session) -> Text:
     """`FAIL: 2 failed`: the state and the worst that is open; what else is, its steps and Ready say."""
     state, _, words = verdict_of(session)
-    results = session.results
+    results = session.verdicts
     lost = results is None or any(o.state in ("blocked", "no_solution") for o in results.outcomes.values())
     if results is None or lost or state not in TITLES or len(results.counts.words) < 2:
         return words
@@ -131,7 +131,7 @@ class Steps(ItemList):
     def _open(self, state: StepState) -> Text:
         """The worst that is open in a step, by its number: what else is, its findings say.  Nothing where that is the
         one that its headline names."""
-        results = self.session.results
+        results = self.session.verdicts
         if results is None or state.state not in SOLVED or not (open_ := results.outcomes[state.key].counts.words):
             return state.words
         shown = self._headline(state)
@@ -140,7 +140,7 @@ class Steps(ItemList):
         return EMPTY if named and count == 1 else words
 
     def _headline(self, state: StepState) -> "Headline | None":
-        results = self.session.results
+        results = self.session.verdicts
         if results is None or state.state not in SOLVED:
             return None
         from calc.studies.headlines import headline  # with numpy

@@ -14,7 +14,8 @@ from .text import EMPTY, Text
 
 P = ParamSpec("P")
 R = TypeVar("R")
-Kept = tuple[tuple[object, ...], Outcome[object]]  # the arguments of a part, and its outcome
+# the arguments of a part, its outcome, and whether other methods stand in it beside those that judge
+Kept = tuple[tuple[object, ...], Outcome[object], bool]
 
 
 class Enough(Exception):
@@ -58,10 +59,12 @@ class Parts:
         go_on()
         if self.stop():
             raise Cancelled
-        name, arguments = f"{key}.{self.name}.{function.__name__}", (*args, *kwargs.values())
-        known, kept = self.before.get(name, (None, None))
+        compared = bool(kwargs.get("compared"))
+        name = f"{key}.{self.name}.{function.__name__}"
+        arguments = (*args, *(value for word, value in kwargs.items() if word != "compared"))
+        known, kept, others = self.before.get(name, (None, None, False))
         outcome: Outcome[R]
-        if known is not None and _same(known, arguments):
+        if known is not None and others >= compared and _same(known, arguments):
             outcome = cast("Outcome[R]", kept)  # of the same function: parts are kept by its name
         else:
             try:
@@ -71,7 +74,8 @@ class Parts:
             except (ArithmeticError, ValueError) as error:  # numbers that are allowed one by one, but not together
                 reason = Text("the arithmetic breaks down ({error}); look for an extreme number", error=error)
                 outcome = Outcome(key, "no_solution", reason=reason)
-        self.kept[name], self.last[key, self.name] = (arguments, outcome), outcome
+            others = compared
+        self.kept[name], self.last[key, self.name] = (arguments, outcome, others), outcome
         if self.enough is not None and self.enough(self._so_far(key)):
             raise Enough
         return outcome

@@ -167,11 +167,41 @@ def test_a_mistake_of_the_program_is_a_message(
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
     session.solve()
     before = session.results
-    monkeypatch.setattr("calc.solve.solve", lambda *_: 1 / 0)
+    monkeypatch.setattr("calc.solve.solve", lambda *_, **__: 1 / 0)
     session.edit(BORE, "95")
     session.solve()
     assert "ZeroDivisionError" in session.failure
     assert session.results is before
+
+
+def test_verdicts_come_ahead_of_a_long_solve(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    session.solve()
+    assert (before := session.results) is not None
+    monkeypatch.setattr("assistant.session.session.LONG", 0.0)
+    session.edit(BORE, "95")
+    job = session.brief_job()
+    assert job is not None and job.brief
+    assert not session.judged and session.verdicts is before
+    assert session.accept(run(job))
+    assert session.judged and not session.current
+    assert session.results is before  # what has lines stays until there are others
+    ahead = session.verdicts
+    assert ahead is not None and ahead is not before and not ahead.recorded
+    assert session.brief_job() is None and session.job() is not None
+    session.solve()
+    assert session.current and session.verdicts is session.results is not before
+    assert session.results.words() == ahead.words()
+
+
+def test_verdicts_that_could_not_be_found_ahead_are_left_to_the_whole(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session.solve()
+    monkeypatch.setattr("assistant.session.session.LONG", 0.0)
+    session.edit(BORE, "95")
+    assert session.accept(Answer(session.generation, None, 0.0, "broken", brief=True))
+    assert not session.judged and not session.failure
+    assert session.brief_job() is None and session.job() is not None
 
 
 def test_an_answer_without_results_is_taken_once(session: Session) -> None:

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from calc.sheet.record import record
-from calc.sheet.reuse import alike
+from calc.sheet.reuse import Parts, alike
+from calc.sheet.step import Outcome
 
 
 @record
@@ -33,3 +34,18 @@ class Size:
 )
 def test_records_are_alike_where_all_their_parts_are(a, b, same):
     assert alike(a, b) is same
+
+
+def test_what_was_compared_serves_where_that_is_not_asked():
+    called = []
+
+    def solve(x: float, *, compared: bool) -> Outcome[float]:
+        called.append(compared)
+        return Outcome("bearings", result=x)
+
+    before = {}
+    for compared, times in ((False, 1), (True, 2), (False, 2), (True, 2)):
+        part = Parts({}, before, {}, stop=bool, enough=None)
+        part("bearings", solve, 1.0, compared=compared)
+        before = part.kept
+        assert len(called) == times
