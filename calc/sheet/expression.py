@@ -22,16 +22,18 @@ from .value import Equation, Line, link_of
 # --- with how many digits the numbers of a substitution are written, so that working it out again gives the value
 # A value has four digits.  Its arguments have four as well, and more where they are needed: where a difference takes
 # the first ones away, where a power multiplies a rounding, where the value lies near the middle between two numbers of
-# four digits.
+# four digits.  In a proof a value has as many as the lines that take it need of it (`digits_taken`).
 
 MOST = 12  # digits of an argument
+FEW = 4  # numbers from which an algorithm makes one, as a table is read at a point: they are written with it
 NOUGHT = 5e-4  # in the shown unit: what is found again in place of 0
 
 
 def digits_that_close(
-    formula: Equation, arguments: Mapping[str, object], value: object, factor: float
+    formula: Equation, arguments: Mapping[str, object], value: object, factor: float, wanted: int = DIGITS
 ) -> dict[str, int]:
-    """Digits by argument.  `value`: what the arguments gave, in SI; `factor`: its shown unit in SI.
+    """Digits by argument.  `value`: what the arguments gave, in SI; `factor`: its shown unit in SI; `wanted`: the
+    digits of the value.
 
     Four for all where that is enough; else the least number with which all of them give the value, then as few as each
     one needs."""
@@ -45,7 +47,7 @@ def digits_that_close(
         try:
             rounded_ones = {name: all_rounded(x, digits[name]) for name, x in given.items()}
             again = formula.function(**{**arguments, **rounded_ones})
-            return isinstance(again, (int, float, complex)) and bool(_same(again / factor, target))
+            return isinstance(again, (int, float, complex)) and bool(_same(again / factor, target, wanted))
         except (ValueError, ZeroDivisionError, OverflowError, TypeError):
             return False
 
@@ -74,22 +76,22 @@ def _is_written(x: object) -> bool:
     return isinstance(x, (int, float, complex)) and not isinstance(x, bool)
 
 
-def _same(again: complex, value: float | complex) -> bool:
+def _same(again: complex, value: float | complex, digits: int) -> bool:
     """Whether a number that is worked out again lies within half a unit of the last digit with which the value is
     written."""
     if isinstance(value, complex):
         ours, theirs = (math.atan2(z.imag, z.real) for z in (again, value))
         turned = math.degrees(ours - theirs) if value and again else 0.0
         angle = math.degrees(theirs)
-        return _near(abs(again), abs(value)) and _near(angle + math.remainder(turned, 360), angle)
-    return _near(again, value)
+        return _near(abs(again), abs(value), digits) and _near(angle + math.remainder(turned, 360), angle, digits)
+    return _near(again, value, digits)
 
 
-def _near(again: complex, value: float) -> bool:
-    shown = rounded(float(value), DIGITS)
+def _near(again: complex, value: float, digits: int) -> bool:
+    shown = rounded(float(value), digits)
     if not shown:
         return abs(again) < NOUGHT
-    unit = 10.0 ** (math.floor(math.log10(abs(shown))) - DIGITS + 1)  # of the last of its four digits
+    unit = 10.0 ** (math.floor(math.log10(abs(shown))) - digits + 1)  # of the last of its digits
     return bool(abs(again - shown) <= 0.5 * unit * (1 + 1e-9))
 
 
@@ -227,6 +229,13 @@ class Shown:
     source: Text
     about: Text
     where: Text = EMPTY  # which element of an array is shown
+    degrees: str = ""  # an angle that another line takes, which is in radians
+
+    @property
+    def result(self) -> str:
+        """The value with its unit."""
+        value = with_unit(self.value, self.unit)
+        return f"{value} ({self.degrees})" if self.degrees else value
 
 
 GOVERNS = {"max": Text("largest of {size}, number {number}"), "min": Text("smallest of {size}, number {number}")}
@@ -278,9 +287,10 @@ def _result_unit(formula: Equation) -> tuple[str, float]:
     return ("°", math.pi / 180) if inside == "rad" else (inside, 1.0)
 
 
-def result(line: Line, at: tuple[int, ...] | None = None) -> tuple[str, str]:
-    """The value of a line with its unit; of an array that which governs, or the one at this place of it."""
-    return _result(line.formula, _element(line.value, _place(line, at), getattr(line.value, "shape", ())))
+def result(line: Line, at: tuple[int, ...] | None = None, taken: int = 0) -> tuple[str, str]:
+    """The value of a line with its unit; of an array that which governs, or the one at this place of it.  `taken`: the
+    digits with which another line takes it, which is in SI, so an angle in radians."""
+    return _result(line.formula, _element(line.value, _place(line, at), getattr(line.value, "shape", ())), taken)
 
 
 def _place(line: Line, at: tuple[int, ...] | None) -> tuple[int, ...] | None:
@@ -289,18 +299,66 @@ def _place(line: Line, at: tuple[int, ...] | None) -> tuple[int, ...] | None:
     return at if at and len(at) == len(shape) and all(i < n for i, n in zip(at, shape)) else governing(line)
 
 
-def _result(formula: Equation, value: object) -> tuple[str, str]:
-    unit, factor = _result_unit(formula)
+def _result(formula: Equation, value: object, taken: int = 0) -> tuple[str, str]:
+    unit, factor = _result_unit(formula) if not taken else _taken_unit(formula)
     assert isinstance(value, (int, float, complex)), formula.__name__
-    return scalar(value / factor), unit
+    return scalar(value / factor, max(taken, DIGITS)), unit
+
+
+def _taken_unit(formula: Equation) -> tuple[str, float]:
+    """The unit of a value that another line takes: angles as formulas have them."""
+    unit, factor = _result_unit(formula)
+    return ("rad", 1.0) if unit == "°" else (unit, factor)
+
+
+def digits_taken(places: Mapping[Line, tuple[int, ...] | None]) -> dict[Line, int]:
+    """With how many digits these lines take the values of others, so that each closes on what is printed.  `places`: of
+    each line the element that is shown."""
+    needed: dict[Line, int] = {}
+    waiting = list(places)
+    while waiting:
+        line = waiting.pop()
+        arguments, value = _at_element(line, _place(line, places[line]))
+        if expression(line.formula) is None and not _of_numbers(arguments):
+            continue
+        factor = _taken_unit(line.formula)[1] if line in needed else _result_unit(line.formula)[1]
+        wanted = digits_that_close(line.formula, arguments, value, factor, needed.get(line, DIGITS))
+        for name, digits in wanted.items():
+            link = link_of(line.arguments[name])
+            if isinstance(link, Line) and needed.get(link, 0) < digits:
+                needed[link] = digits
+                if link in places and link not in waiting:
+                    waiting.append(link)
+    return needed
+
+
+def _of_numbers(arguments: Mapping[str, object]) -> bool:
+    """Whether a few numbers are all that an algorithm takes."""
+    return 0 < len(arguments) <= FEW and all(
+        isinstance(x, (int, float)) and not isinstance(x, bool) for x in arguments.values()
+    )
+
+
+def _at_element(line: Line, index: tuple[int, ...] | None) -> tuple[dict[str, object], object]:
+    """The arguments of a line and its value; of arrays the element."""
+    shape = getattr(line.value, "shape", ())
+    return {name: _element(x, index, shape) for name, x in line.arguments.items()}, _element(line.value, index, shape)
 
 
 def symbol_of(line: Line) -> str:
     """The symbol of what a line gives: of one order the number of the order in place of its n, `C_n⁺` → `C_1⁺`."""
-    order, named = line.arguments.get("n"), line.formula.symbol
-    if not isinstance(order, (int, float)) or order < 1 or units(line.formula).get("n"):
-        return named
-    return re.sub(r"_n(?![^\W_])", f"_{order:g}", named)
+    return _of_order(line.formula.symbol, _order(line))
+
+
+def _of_order(symbol: str, order: str) -> str:
+    return re.sub(r"_n(?![^\W_])", f"_{order}", symbol) if order else symbol
+
+
+def _order(line: Line) -> str:
+    """Of which order a line is; empty of one that is of none."""
+    order = line.arguments.get("n")
+    known = isinstance(order, (int, float)) and order >= 1 and not units(line.formula).get("n")
+    return f"{order:g}" if known else ""
 
 
 ANYWHERE = "_y"  # the index of what holds at any diameter, ISO 21771
@@ -324,25 +382,36 @@ def _put_in(line: Line) -> dict[str, str]:
         alike = own.partition("_")[0] == said.partition("_")[0]
         says_more = not own.startswith(said) and not said.endswith(ANYWHERE)
         known[own] = said if alike and says_more else own
+    if order := _order(line):  # beside n, a speed
+        known = {own: order if own == "n" else _of_order(said, order) for own, said in known.items()}
     every = [symbol_of(line), *known, *known.values()]
     return {own: said for own, said in known.items() if said != own and every.count(said) == 1}
 
 
-def show(line: Line, at: tuple[int, ...] | None = None, put_in: Mapping[str, str] | None = None) -> Shown:
+def show(
+    line: Line, at: tuple[int, ...] | None = None, put_in: Mapping[str, str] | None = None, taken: int = 0
+) -> Shown:
     """A line made readable; of arrays the element that governs, or the one at the place `at`.  `put_in`: the symbols of
-    the values that stand in the formula; left out, those of this line."""
+    the values that stand in the formula; left out, those of this line.  `taken`: the digits with which another line
+    takes its value."""
     formula = line.formula
     index = _place(line, at)
     shape = getattr(line.value, "shape", ())
-    value = _element(line.value, index, shape)
-    arguments = {name: _element(x, index, shape) for name, x in line.arguments.items()}
+    arguments, value = _at_element(line, index)
     tree = expression(formula)
-    numbers = None
+    numbers, shows, texts = None, formula.shows, dict[str, str]()
+    if tree is not None or _of_numbers(arguments):
+        factor = (_taken_unit if taken else _result_unit)(formula)[1]
+        known, digits = units(formula), digits_that_close(formula, arguments, value, factor, max(taken, DIGITS))
+        texts = {
+            formula.names.get(name, symbol(name)): _argument(x, known.get(name, ""), digits[name])
+            for name, x in arguments.items()
+        }
     if tree is not None:
-        known, digits = units(formula), digits_that_close(formula, arguments, value, _result_unit(formula)[1])
-        texts = {name: _argument(x, known.get(name, ""), digits[name]) for name, x in arguments.items()}
-        numbers = substituted(tree, {formula.names.get(name, symbol(name)): words for name, words in texts.items()})
-    shows = formula.shows
+        numbers = substituted(tree, texts)
+    elif shows and texts:
+        given = COMMA.join(Name(f"{plain(own)} = {words}") for own, words in texts.items())
+        shows = Text("{how}, at {given}", how=shows, given=given)
     if tree is None and not shows:
         given = COMMA.join(Name(f"{symbol(k)} = {_argument(v, '')}") for k, v in arguments.items())
         shows = Text("{name}({given})", name=formula.__name__, given=given)
@@ -352,7 +421,9 @@ def show(line: Line, at: tuple[int, ...] | None = None, put_in: Mapping[str, str
         where = Text(template.template, size=size, number=index[-1] + 1)
     if tree is not None and (called := symbols_put_in([line]) if put_in is None else put_in):
         tree = renamed(tree, called)
-    return Shown(symbol_of(line), tree, numbers, shows, *_result(formula, value), formula.source, line.about, where)
+    written, unit = _result(formula, value, taken)
+    degrees = "" if unit == _result_unit(formula)[0] else with_unit(*_result(formula, value))
+    return Shown(symbol_of(line), tree, numbers, shows, written, unit, formula.source, line.about, where, degrees)
 
 
 # --- for the terminal

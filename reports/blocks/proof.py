@@ -18,7 +18,7 @@ from calc.design.addresses import every, quantity_of, value_at
 from calc.design.labels import label_of
 from calc.sheet.check import Check, CheckRule
 from calc.sheet.errors import BadInput
-from calc.sheet.expression import governing, result, symbol_of
+from calc.sheet.expression import digits_taken, governing, result, symbol_of
 from calc.sheet.number import RANGE
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text, with_unit
@@ -48,6 +48,7 @@ MOST = {"limit": 9, "caution": 2}
 ALIKE = 3  # values of one symbol that are quoted
 FEW = 3  # elements of an array that are quoted one by one
 HELD = 4  # of one that holds, and of a value
+USED = 0.1  # of its limit: what holds and comes to less is proven in the audit alone
 LIMIT = 2  # formulas of a limit
 COORDINATES = ("z", "φ", "ξ")  # what a place along an array is named by
 
@@ -95,6 +96,8 @@ def proofs(context: Context, checks: Iterable[Check]) -> list[Proof]:
             open_ones.append(Proof(tuple(wanted), tuple(check for check in group if check not in wanted)))
         elif group[0].rule.proven is not None and group[0].kind in MOST and _asked(context, group[0].rule):
             least = min(group, key=lambda check: check.margin)
+            if not context.audit and (_share_used(least) or 1.0) < USED:
+                continue
             kept.append(Proof((least,), tuple(check for check in group if check is not least)))
     return sorted(open_ones, key=lambda proof: severity(proof.governing)) + kept
 
@@ -148,11 +151,12 @@ def _walk(
         _places(context, shown, [*context.origins.followed(element for start in starts for element in start)]),
         _lines(roots[0]),
     )
+    taken = digits_taken({line: places[line].index if line in places else None for line in shown})
     entries: dict[str, EquationEntry] = {}
     for line in shown:
-        entry = EquationEntry(line.formula, [], places, parts=1, full=line in first)
+        entry = EquationEntry(line.formula, [], places, taken, parts=1, full=line in first)
         entries.setdefault(_name(line), entry).lines.append((Label(*context.say.halves(line.about)), line))
-    return Walk(list(entries.values()), _quoted(context, shown, known), _inputs(context, roots, shown))
+    return Walk(list(entries.values()), _quoted(context, shown, known, taken), _inputs(context, roots, shown))
 
 
 def _lines(leaves: Iterable[Line | str]) -> list[Line]:
@@ -189,7 +193,7 @@ def _name(line: Line) -> str:
     return f"{line.formula.function.__module__}.{line.formula.__name__}"
 
 
-def _quoted(context: Context, shown: Mapping[Line, Index | None], known: Known) -> list[str]:
+def _quoted(context: Context, shown: Mapping[Line, Index | None], known: Known, taken: Mapping[Line, int]) -> list[str]:
     """The values that the shown lines take from lines that are not shown."""
     values: dict[tuple[str, str], dict[str, str]] = {}  # symbol and where it is derived → numbers, each with its unit
     for element in shown.items():
@@ -199,7 +203,7 @@ def _quoted(context: Context, shown: Mapping[Line, Index | None], known: Known) 
                     context.text("as_in", number=known[_name(needed)]) if _name(needed) in known else ""
                 )
                 for at in [index] if index else _all(needed):
-                    number, unit = result(needed, at)
+                    number, unit = result(needed, at, taken.get(needed, 0))
                     values.setdefault((symbol_of(needed), where), {})[context.say.number(number)] = unit
     return [_quoted_value(symbol, where, numbers) for (symbol, where), numbers in values.items()]
 
@@ -276,6 +280,8 @@ def _headline(context: Context, step: Step, proven: set[str], known: Known) -> l
         heads = sorted((value for value in heads if value.about is heads[0].about), key=attrgetter("shown"))
     head = next(iter(heads), None)
     if head is None or head.id in proven or not head.shown or not (walk := value(context, head.id, known)).entries:
+        return []
+    if not context.audit and len(walk.lines) == 1 and not walk.quoted:  # one formula of inputs, as the stroke
         return []
     title = f"{context.say(head.label)}: {context.written(head.shown, head.unit)}"
     blocks = [
@@ -381,17 +387,17 @@ def _short(context: Context, check: Check) -> str:
     return " ".join(context.belongs(check.id)) or check.name
 
 
-def used(context: Context, check: Check) -> Cell:
+def _share_used(check: Check) -> float | None:
     """Demand over capacity, where both are amounts of one sign."""
-    share = check.utilisation
-    if (
-        share is None
-        and not isinstance(check.limit, tuple)
-        and check.unit != "°C"
-        and check.value > 0
-        and check.limit > 0
-    ):
-        share = check.value / check.limit if check.sense in ("<=", "<") else check.limit / check.value
+    alike = not isinstance(check.limit, tuple) and check.unit != "°C" and check.value > 0 and check.limit > 0
+    if check.utilisation is not None or not alike:
+        return check.utilisation
+    assert not isinstance(check.limit, tuple)
+    return check.value / check.limit if check.sense in ("<=", "<") else check.limit / check.value
+
+
+def used(context: Context, check: Check) -> Cell:
+    share = _share_used(check)
     if share is None or not share < 100:
         return Cell()
     return Cell(context.text("used", share=Amount(share * 100, "%", form=".0f")), STRONG)

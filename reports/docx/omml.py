@@ -5,7 +5,6 @@ and edits them."""
 from xml.sax.saxutils import escape
 
 from calc.sheet.expression import RANK, Expr, Shown
-from calc.sheet.text import with_unit
 
 from ..typesetting.typeset import UPRIGHT_LETTERS, symbol_parts
 
@@ -30,7 +29,7 @@ def formula(name: str, of: Expr) -> str:
 
 def numbers(line: Shown) -> str:
     """= numbers = value unit."""
-    value = run("=") + words(f" {with_unit(line.value, line.unit)}" + (f"   {line.where}" if line.where else ""))
+    value = run("=") + words(f" {line.result}" + (f"   {line.where}" if line.where else ""))
     return value if line.numbers is None else run("=") + tree(line.numbers) + value
 
 

@@ -71,6 +71,7 @@ class EquationEntry:
     formula: Equation
     lines: list[Labelled]
     places: Mapping[Line, Place] = field(default_factory=dict)  # of its lines whose values are arrays
+    taken: Mapping[Line, int] = field(default_factory=dict)  # digits with which others take the values of lines
     parts: int = PARTS  # of them with their numbers, the others with their values
     full: bool = False  # whether all parts have their numbers
 
@@ -90,7 +91,7 @@ def entry_blocks(
     load") with their values only.  Of more than two parts only the first is written out, unless the numbers fit on a
     line."""
     called = symbols_put_in([line for _, line in entry.lines])
-    first = shown(entry.lines[0][1], context.say, entry.places.get(entry.lines[0][1]), called)
+    first = shown(entry.lines[0][1], context.say, entry, called)
     alike = len({symbol_of(line) for _, line in entry.lines}) == 1
     indexed = BETWEEN.join(
         dict.fromkeys(noted_line(context, line) for _, line in (entry.lines if alike else entry.lines[:1]))
@@ -111,7 +112,7 @@ def entry_blocks(
         if n >= entry.parts and not entry.full:
             rest += calculations
             continue
-        own_rows, words, others, numbers = _calculated(calculations, sign, context.say, entry.places, labelled=labelled)
+        own_rows, words, others, numbers = _calculated(calculations, sign, context.say, entry, labelled=labelled)
         if n and len(parts) > 2 and not entry.full and (len(own_rows) > 1 or own_rows[0][1].height > TALL):
             rest += calculations
             continue
@@ -135,7 +136,7 @@ def entry_blocks(
 
 
 def _calculated(
-    calculations: list[Labelled], sign: float, say: Language, places: Mapping[Line, Place], *, labelled: bool
+    calculations: list[Labelled], sign: float, say: Language, entry: EquationEntry, *, labelled: bool
 ) -> tuple[list[tuple[str, Box]], list[str], list[Labelled], list[tuple[str, Shown]]]:
     """The first calculation of a part with its numbers: its rows, the same as words, the part's other calculations, and
     its lines."""
@@ -147,7 +148,7 @@ def _calculated(
     for label, line in calculations:
         if label != full or len(words) >= MOST:
             others.append((label, line))
-        elif (again := spoken_numbers(shown_line := shown(line, say, places.get(line)))) not in words:
+        elif (again := spoken_numbers(shown_line := shown(line, say, entry))) not in words:
             name = label.text() if labelled and not words else ""
             words.append(again)
             lines.append((name, shown_line))
@@ -212,7 +213,7 @@ def spoken(line: Shown) -> str:
 
 
 def spoken_numbers(line: Shown) -> str:
-    value = f"= {with_unit(line.value, line.unit)}"
+    value = f"= {line.result}"
     return value if line.numbers is None else f"= {text(line.numbers)} {value}"
 
 
@@ -222,16 +223,17 @@ def _equals(pieces: list[SetPiece]) -> list[SetPiece]:
 
 
 def _value(line: Shown) -> list[SetPiece]:
-    words = with_unit(line.value, line.unit)
+    words = line.result
     boxes = [text_box("=", SIZE), space(0.28 * SIZE), text_box(words, SIZE)]
     if line.where:
         boxes += [space(6.0), text_box(line.where, NOTE.size, colour=NOTE.colour)]
     return [SetPiece(space(0.34 * SIZE)), SetPiece(row(boxes), -0.5)]
 
 
-def shown(line: Line, say: Language, place: Place | None = None, called: Mapping[str, str] | None = None) -> Shown:
-    """A line as the report shows it; `called`: the symbols of the values that stand in its formula."""
-    shown_line = show(line, place.index if place else None, called)
+def shown(line: Line, say: Language, entry: EquationEntry, called: Mapping[str, str] | None = None) -> Shown:
+    """A line of an entry as the report shows it; `called`: the symbols of the values that stand in its formula."""
+    place = entry.places.get(line)
+    shown_line = show(line, place.index if place else None, called, entry.taken.get(line, 0))
     number = say.number
     where = place.words if place and shown_line.where else say(shown_line.where)
     return replace(
@@ -239,6 +241,7 @@ def shown(line: Line, say: Language, place: Place | None = None, called: Mapping
         shows=Name(say(shown_line.shows)),
         where=Name(where),
         value=number(shown_line.value),
+        degrees=number(shown_line.degrees),
         formula=shown_line.formula and respelled(shown_line.formula, number),
         numbers=shown_line.numbers and respelled(shown_line.numbers, number),
     )

@@ -17,6 +17,7 @@ from ...sheet.quantity import dotted
 from ...sheet.remedy import Remedy, by_key, down, up
 from ...sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from ...sheet.units import Metre
+from ...sheet.value import about
 from ..inputs import BearingsInputs
 from . import formulas as f
 from .corners import Corners
@@ -611,7 +612,8 @@ def _film_checks(place: str, r: PlainResult) -> Iterator[Check]:
             "Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm",
             speed_of_thinnest_film=Amount((r.speed_of_thinnest_film or 0.0) * 60),
         )
-        edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
+        with about(Text("{place} bearing, at the edge over the speeds", place=called(place))):
+            edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
         missing = edge_missing(r, edge)
         yield rule(edge, r.kreisle_film, at=place, name=named_at(label, place), missing=missing, base=lost)
     if r.shear_factor is not None:

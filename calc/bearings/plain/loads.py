@@ -11,7 +11,7 @@ from typing import Any, Generic
 
 import numpy as np
 
-from ...countershaft.rows import ROW, BearingRow, titled
+from ...countershaft.rows import ROW, BearingRow, called, titled
 from ...library import journal_rules as rules
 from ...sheet.arrays import Array, BoolArray, Value
 from ...sheet.check import Check, CheckRule
@@ -22,7 +22,7 @@ from ...sheet.quantity import dotted
 from ...sheet.record import record, replace
 from ...sheet.text import Amount, Text
 from ...sheet.units import MetrePerSecond, Newton, Watt
-from ...sheet.value import based_on, untraced
+from ...sheet.value import about, based_on, untraced
 from ..inputs import BearingsInputs
 from . import formulas as f
 from .as_support import runs_centred
@@ -131,7 +131,8 @@ def standing_checks(place: str, bearing: PlainResult, part: StandingResult) -> I
     edge = None  # where no film carries the largest load, the check fails
     if part.film_load_peak is not None:
         thinnest = min(h for h in (part.film_load_peak, part.film_orbit) if h is not None)
-        edge = f.film_at_edge_of_another(h_x=thinnest, h_0=bearing.film, h_edge=bearing.film_edge)
+        with about(Text("{place} bearing, standing part of the load", place=called(place))):
+            edge = f.film_at_edge_of_another(h_x=thinnest, h_0=bearing.film, h_edge=bearing.film_edge)
     missing = edge_missing(bearing, edge)
     lost = lost_at_edge(bearing)
     yield on_bearing(FILM_EDGE_STANDING, place, edge, bearing.kreisle_film, missing=missing, base=lost)

@@ -97,13 +97,15 @@ NOTHING: Newton = 1e-9  # a load that no film feels
 TABLE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated")
 
 
-@formula("ε", TABLE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted; lighter loads: 0")
+@formula(
+    "ε", TABLE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted; lighter loads: 0", names={"b": "l/d"}
+)
 def eccentricity(S: Number, b: Number) -> Number:
     eps = np.nan_to_num(eccentricity_from(np.asarray(S, dtype=float), b, outside="nan"))
     return single_or_many(eps)
 
 
-@formula("φ", TABLE, shows="φ from the table of Reynolds' solutions at ε, l/d; π/2 where ε is 0")
+@formula("φ", TABLE, shows="φ from the table of Reynolds' solutions at ε, l/d; π/2 where ε is 0", names={"b": "l/d"})
 def attitude(eps: Number, b: Number) -> Radian:
     angle = np.nan_to_num(film_at(np.asarray(eps, dtype=float), b, outside="nan").attitude, nan=math.pi / 2)
     return single_or_many(angle)

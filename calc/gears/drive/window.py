@@ -130,14 +130,20 @@ def _window(train: TrainResult, drive: DriveResult, body: int, shafts: Mapping[s
     meshes = [i for i in line.path(body) if drive.survey.closed.parts[p, i]]
     J = J_most = J_lo = NONE_YET
     takes: dict[str, Metre] = {}
-    with about(Text("way to {name}, backlash", name=line.links[body].driven)):
-        for i in meshes:
-            link, rho = line.links[i], based_on(float(bodies.lever[i, body]), *line.rho)
-            least = smallest_normal(train, link.key)
-            j = line.play["nominal"][i]
-            takes[link.key] = taken(j=j, j_bn=least, beta_b=train.system.base_helix_angle)
-            J, J_most = with_mesh(J=J, j=j, rho=rho), with_mesh(J=J_most, j=line.play["most"][i], rho=rho)
+    name = line.links[body].driven
+    for i in meshes:
+        link, rho = line.links[i], based_on(float(bodies.lever[i, body]), *line.rho)
+        pair, least = link.title, smallest_normal(train, link.key)
+        nominal, most = line.play["nominal"][i], line.play["most"][i]
+        with about(Text("mesh {pair}, way to {name}", pair=pair, name=name)):
+            takes[link.key] = taken(j=nominal, j_bn=least, beta_b=train.system.base_helix_angle)
+        with about(Text("way to {name} with {pair}, nominal", name=name, pair=pair)):
+            J = with_mesh(J=J, j=nominal, rho=rho)
+        with about(Text("way to {name} with {pair}, largest", name=name, pair=pair)):
+            J_most = with_mesh(J=J_most, j=most, rho=rho)
+        with about(Text("way to {name} with {pair}, what tolerances and temperature take", name=name, pair=pair)):
             J_lo = with_mesh(J=J_lo, j=takes[link.key], rho=rho)
+    with about(Text("way to {name}, backlash", name=name)):
         with untraced():
             of = quiet_backlashes(drive.survey.motion, bodies, body, grade_limits(), p)
         at = drive.meshes[line.links[body].key].operations[IDLE]

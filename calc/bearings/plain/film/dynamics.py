@@ -74,17 +74,24 @@ Impedance = PhasorNewtonPerMetre
 # --- dimensionless, over the load
 
 
-@formula("(ln So)'", TABLE, shows="d ln So/dε at constant l/d, from the table of Reynolds' solutions")
+@formula(
+    "(ln So)'", TABLE, shows="d ln So/dε at constant l/d, from the table of Reynolds' solutions", names={"b": "l/d"}
+)
 def load_slope(eps: Number, b: Number) -> Number:
     return table.traced_film_slopes(eps, b)[0]
 
 
-@formula("φ'", TABLE, shows="dφ/dε at constant l/d, from the table of Reynolds' solutions")
+@formula("φ'", TABLE, shows="dφ/dε at constant l/d, from the table of Reynolds' solutions", names={"b": "l/d"})
 def attitude_slope(eps: Number, b: Number) -> Number:
     return table.traced_film_slopes(eps, b)[1]
 
 
-@formula("c_rr", TABLE, shows="squeeze solution (12·∂h/∂t, film region of the static state), from the table at ε, l/d")
+@formula(
+    "c_rr",
+    TABLE,
+    shows="squeeze solution (12·∂h/∂t, film region of the static state), from the table at ε, l/d",
+    names={"b": "l/d"},
+)
 def radial_damping(eps: Number, b: Number) -> Number:
     """C_rr·c·ω/F of a journal that moves along its eccentricity."""
     return table.traced_film_at(eps, b).radial_damping

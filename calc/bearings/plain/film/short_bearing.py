@@ -28,7 +28,7 @@ def sommerfeld_din(eps: Number, b: Number) -> Number:
     return b**2 * eps * sqrt(pi**2 * (1 - eps**2) + 16 * eps**2) / (2 * (1 - eps**2) ** 2)
 
 
-@formula("ε", DUBOIS, shows="ε from 1/(2π·S) = So(ε, l/d) of the short bearing, by Newton's method")
+@formula("ε", DUBOIS, shows="ε from 1/(2π·S) = So(ε, l/d) of the short bearing, by Newton's method", names={"b": "l/d"})
 def eccentricity(S: Number, b: Number) -> Number:
     """For any S > 0; float or array.
 

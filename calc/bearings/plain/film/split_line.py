@@ -117,7 +117,12 @@ def share_at(eccentricity: Value, length_ratio: Num, depth: Num, half_arc: Num, 
     return result  # type: ignore[no-any-return]
 
 
-@formula("s_t", SOURCE, shows="least film over the turn / film without relief: table of marches at ε, l/d, t/c, a")
+@formula(
+    "s_t",
+    SOURCE,
+    shows="least film over the turn / film without relief: table of marches at ε, l/d, t/c, a",
+    names={"b": "l/d"},
+)
 def share(eps: Number, b: Number, depth: Number, arc: Radian) -> Number:
     """What a load that turns keeps of its film over the split lines.  `depth` of the relief over the radial clearance;
     `arc`: half of it, 2·length/d.

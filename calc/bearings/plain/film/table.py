@@ -510,7 +510,7 @@ def _plain(*numbers: object) -> bool:
     return all([isinstance(number, (float, int)) for number in numbers])
 
 
-@formula("ε", SOURCE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted")
+@formula("ε", SOURCE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted", names={"b": "l/d"})
 def eccentricity(S: Number, b: Number) -> Number:
     """>>> eccentricity(S=0.05436, b=0.4622)
     0.8637773...
@@ -522,14 +522,14 @@ def eccentricity(S: Number, b: Number) -> Number:
     "F_c",
     Text("{source}: load of a journal that runs nearly centred", source=SOURCE),
     shows="μ·n·l·d/(S(ε, l/d)·ψ²) at ε = 0.02, where the table begins",
-    names={"n_h": "n"},
+    names={"n_h": "n", "b": "l/d"},
 )
 def centred_load(mu: PascalSecond, n_h: RevPerSecond, d: Metre, l: Metre, psi: Number, b: Number) -> Newton:
     """The most that a journal carries which runs nearly centred: there the film is a spring.  `l`: of one land."""
     return mu * n_h * d * l / (traced_film_at(CENTRED, b).sommerfeld * psi**2)
 
 
-@formula("φ", SOURCE, shows="φ from the table of Reynolds' solutions at ε, l/d")
+@formula("φ", SOURCE, shows="φ from the table of Reynolds' solutions at ε, l/d", names={"b": "l/d"})
 def attitude_angle(eps: Number, b: Number) -> Radian:
     """>>> attitude_angle(eps=0.8638, b=0.4622)
     0.4707118...
@@ -537,17 +537,17 @@ def attitude_angle(eps: Number, b: Number) -> Radian:
     return traced_film_at(eps, b).attitude
 
 
-@formula("Q*", SOURCE, shows="Q* = Q/(r·c·n·l) from the table of Reynolds' solutions at ε, l/d")
+@formula("Q*", SOURCE, shows="Q* = Q/(r·c·n·l) from the table of Reynolds' solutions at ε, l/d", names={"b": "l/d"})
 def relative_flow(eps: Number, b: Number) -> Number:
     return traced_film_at(eps, b).flow
 
 
-@formula("Q_s/Q", SOURCE, shows="Q_s/Q from the table of Reynolds' solutions at ε, l/d")
+@formula("Q_s/Q", SOURCE, shows="Q_s/Q from the table of Reynolds' solutions at ε, l/d", names={"b": "l/d"})
 def side_flow_share(eps: Number, b: Number) -> Number:
     return traced_film_at(eps, b).side_flow_ratio
 
 
-@formula("p/p_max", SOURCE, shows="p/p_max from the table of Reynolds' solutions at ε, l/d")
+@formula("p/p_max", SOURCE, shows="p/p_max from the table of Reynolds' solutions at ε, l/d", names={"b": "l/d"})
 def pressure_ratio(eps: Number, b: Number) -> Number:
     return traced_film_at(eps, b).pressure_ratio
 

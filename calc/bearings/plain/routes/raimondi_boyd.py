@@ -137,32 +137,32 @@ def by_length_ratio(b: Number, y_inf: Number, y_1: Number, y_2: Number, y_4: Num
 BY_CHART = Text("Raimondi & Boyd 1958, charts and interpolation of the source")
 
 
-@formula("h_0/c", BY_CHART, shows="h_0/c from the charts at S, by the cubic in d/l")
+@formula("h_0/c", BY_CHART, shows="h_0/c from the charts at S, by the cubic in d/l", names={"b": "l/d"})
 def relative_film(S: Number, b: Number) -> Number:
     return at(S, b).relative_film
 
 
-@formula("f*", BY_CHART, shows="f* from the charts at S, by the cubic in d/l")
+@formula("f*", BY_CHART, shows="f* from the charts at S, by the cubic in d/l", names={"b": "l/d"})
 def friction_variable(S: Number, b: Number) -> Number:
     return at(S, b).friction_variable
 
 
-@formula("Q*", BY_CHART, shows="Q/(r·c·n·l) from the charts at S, by the cubic in d/l")
+@formula("Q*", BY_CHART, shows="Q/(r·c·n·l) from the charts at S, by the cubic in d/l", names={"b": "l/d"})
 def relative_flow(S: Number, b: Number) -> Number:
     return at(S, b).flow
 
 
-@formula("Q_s/Q", BY_CHART, shows="Q_s/Q from the charts at S, by the cubic in d/l")
+@formula("Q_s/Q", BY_CHART, shows="Q_s/Q from the charts at S, by the cubic in d/l", names={"b": "l/d"})
 def side_flow_share(S: Number, b: Number) -> Number:
     return at(S, b).side_flow_share
 
 
-@formula("φ", BY_CHART, shows="φ from the charts at S, by the cubic in d/l", unit="°")
+@formula("φ", BY_CHART, shows="φ from the charts at S, by the cubic in d/l", unit="°", names={"b": "l/d"})
 def attitude_angle(S: Number, b: Number) -> Radian:
     return math.radians(at(S, b).attitude)
 
 
-@formula("p/p_max", BY_CHART, shows="p/p_max from the charts at S, by the cubic in d/l")
+@formula("p/p_max", BY_CHART, shows="p/p_max from the charts at S, by the cubic in d/l", names={"b": "l/d"})
 def pressure_ratio(S: Number, b: Number) -> Number:
     return at(S, b).pressure_ratio
 
