@@ -79,8 +79,9 @@ class Block:
 
     `gap`: space above, left out at the top of a page.  `keep`: stays with the next block.  `repeat`: is drawn first
     where this block begins a page.  `need`: begins a page unless so much of the page is left.  `floats`: where it does
-    not fit, what follows up to the next chapter (`need`) fills the page, and it stands first on the next one.
-    `anchor`: links and the outline lead here. `tag`: what it is; left out, a paragraph."""
+    not fit, what follows up to the next chapter (`need`) fills the page, and it stands first on the next one, or below
+    the table that goes on there.  `anchor`: links and the outline lead here. `tag`: what it is; left out, a
+    paragraph."""
 
     height: float
     draw: Callable[[Pen, float], None]
@@ -131,14 +132,22 @@ def paginate(blocks: Iterable[Block], height: float = HEIGHT, share: float = 1.0
             alone or sum([b.height + share * b.gap for b in chain]) > left + 1e-6 or first.need > left
         )
 
-    def turn() -> None:
-        """A new page, and on it first what waits for one."""
-        pages.append(Page(share=share))
+    def settle() -> None:
+        """What waits for room, as long as there is some."""
         while waiting and fits(waiting[0]):
             pages[-1].put(waiting.pop(0))
             pages[-1].filled += AFTER
 
+    def turn(*, inside: bool = False) -> None:
+        """A new page, and on it first what waits for one, unless a table goes on there."""
+        pages.append(Page(share=share))
+        if not inside:
+            settle()
+
     for chain in _chains(list(blocks), height, share):
+        inside = _goes_on(pages[-1], chain[0])
+        if not inside:
+            settle()
         while waiting and chain[0].need:
             turn()
         if chain[0].floats and (waiting or not fits(chain)):
@@ -147,11 +156,19 @@ def paginate(blocks: Iterable[Block], height: float = HEIGHT, share: float = 1.0
         if not fits(chain):
             chain = [*filter(None, [chain[0].repeat]), *chain]
             while not fits(chain):
-                turn()
+                turn(inside=inside)
         pages[-1].put(chain)
+    settle()
     while waiting:
         turn()
     return pages
+
+
+def _goes_on(page: Page, block: Block) -> bool:
+    """Whether a block is a further row of the table that stands last on the page."""
+    table = block.tag and block.tag.within
+    last = page.blocks[-1][1].tag if page.blocks else None
+    return table is not None and last is not None and last.within is table
 
 
 def composed(blocks: Iterable[Block]) -> list[Page]:

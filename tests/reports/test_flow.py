@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Blocks on pages: a figure that does not fit leaves no gap, and stays in its chapter."""
 
+from dataclasses import replace
+
 from reports.typesetting.fonts import HEIGHT
 from reports.typesetting.pagination import AFTER, Block, Page, composed, paginate
+from reports.typesetting.tags import Tag
 
 
 def block(name: str, height: float, **kind: object) -> Block:
@@ -35,12 +38,17 @@ def test_figures_keep_their_order_and_their_chapter() -> None:
     assert names(paginate([*TEXT[:3], FIGURE], 100.0)) == [["text 0", "text 1", "text 2"], ["figure"]], "at the end"
 
 
-def test_a_table_goes_on_under_a_figure_with_its_header() -> None:
-    header = block("header", 10.0)
-    rows = [block(f"row {n}", 20.0, repeat=header) for n in range(5)]
-    made = paginate([*TEXT[:3], FIGURE, header, *rows], 100.0)
-    assert names(made)[1:] == [["figure", "header", "row 1"], ["header", "row 2", "row 3", "row 4"]]
-    assert all(page.filled <= 100.0 for page in made)
+def test_no_figure_stands_between_the_rows_of_a_table() -> None:
+    """A table that goes on over the page comes first, under its header; the figure that waits stands below it."""
+    header, whole = block("header", 10.0), Tag("Table")
+    rows = [block(f"row {n}", 20.0, repeat=header, tag=Tag("TR", whole)) for n in range(4)]
+    begun = [*TEXT[:3], FIGURE, replace(header, tag=Tag("TR", whole))]
+    first = ["text 0", "text 1", "text 2", "header", "row 0"]
+    made = paginate([*begun, *rows[:3], TEXT[3]], 100.0)
+    assert names(made) == [first, ["header", "row 1", "row 2", "figure"], ["text 3"]]
+    made = paginate([*begun, *rows, TEXT[3]], 100.0)
+    assert names(made) == [first, ["header", "row 1", "row 2", "row 3", "text 3"], ["figure"]]
+    assert all(page.filled <= 100.0 + AFTER for page in made)
 
 
 def of_gaps(count: int, share: float) -> list[Block]:
