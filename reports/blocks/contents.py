@@ -18,7 +18,7 @@ from ..typesetting.boxes import BETWEEN, FAINT, SIGN, Box, text
 from ..typesetting.fonts import HEIGHT, WIDTH
 from ..typesetting.pagination import Block, bullet, heading, on_paper_only, paragraph
 from ..typesetting.prose import BODY, GROUP, NOTE, SECTION, one_line, run
-from ..typesetting.tables import Cell, Column, Group, Row, noted_below, table
+from ..typesetting.tables import GUTTER, Cell, Column, Group, Row, noted_below, table
 from ..typesetting.tags import Tag
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def _row(entry: ContentsEntry, columns: dict[str, tuple[float, Box]]) -> Block:
 
 # --- the index at the end: every value by its name, with the pages on which it stands
 
-COLUMNS, GUTTER = 2, 16.0
+COLUMNS = 2
 EACH = (WIDTH - (COLUMNS - 1) * GUTTER) / COLUMNS
 NUMBERS = 34.0  # width for the pages of an entry
 MOST = 3  # pages of an entry

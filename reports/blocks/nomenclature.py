@@ -21,6 +21,7 @@ from ..typesetting.boxes import BETWEEN, Symbol, text
 from ..typesetting.fonts import WIDTH
 from ..typesetting.pagination import Block, heading, paragraph
 from ..typesetting.prose import GROUP, NOTE, lines, run
+from ..typesetting.tables import GUTTER
 from ..typesetting.typeset import symbol as set_symbol
 
 if TYPE_CHECKING:
@@ -140,7 +141,7 @@ BY_NAME: dict[str, Text] = {
 
 # --- the nomenclature
 
-COLUMNS, GUTTER = 2, 10.0
+COLUMNS = 2
 EACH = (WIDTH - (COLUMNS - 1) * GUTTER) / COLUMNS
 SYMBOL, UNIT, PAGE = 30.0, 26.0, 11.0  # width of what stands beside a meaning
 MEANING = EACH - SYMBOL - UNIT - PAGE - 4.0

@@ -19,12 +19,13 @@ from ..context import Context
 from ..typesetting.fonts import WIDTH
 from ..typesetting.pagination import Block
 from ..typesetting.prose import CELL, HEADER, KEY, run
-from ..typesetting.tables import GAP, Cell, Column, Row, named_table, natural, noted_below, table
+from ..typesetting.tables import GAP, GUTTER, Cell, Column, Row, named_table, natural, noted_below, table
 from ..typesetting.typeset import symbol
 from .nomenclature import noted
 
 ACROSS = 7
 NUMBERS = 56.0  # most width of values in a table of two halves
+CLOSE = 4.0  # before values and units in such a table
 LEAST_WORDS = 60.0  # width that a column of words needs in a table of many
 VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")
 LEAST, MOST = 1e-3, 1e7  # of a column's largest number: others have powers of ten
@@ -135,17 +136,19 @@ def paired_table(context: Context, title: str, rows: Sequence[tuple[str | Cell, 
         return named_table(title, _paired(context, rows), rows)
     half = -(-len(rows) // 2)
     both = [(*left, *right) for left, right in zip(rows[:half], [*rows[half:], ("",) * 4])]
-    return named_table(title, _paired(context, rows) * 2, both)
+    head, *narrow = _paired(context, rows)
+    return named_table(title, (head, *narrow, replace(head, before=GUTTER), *narrow), both)
 
 
 def _paired(context: Context, rows: Sequence[tuple[str | Cell, ...]]) -> tuple[Column, ...]:
     """Columns of half the width of a page: as narrow as symbol, value and unit can be, the rest for what they are
     called."""
     w = context.words
-    narrow = [Column(w["symbol"]), Column(w["value"], "r"), Column(w["unit"])]
+    narrow = [Column(w["symbol"]), Column(w["value"], "r", before=CLOSE), Column(w["unit"], before=CLOSE)]
     cells = [[cell if isinstance(cell, Cell) else Cell(cell) for cell in column] for column in list(zip(*rows))[1:]]
     narrow = [replace(column, width=min(_words_width(column, some), NUMBERS)) for column, some in zip(narrow, cells)]
-    return Column(w["quantity"], width=WIDTH / 2 - 3.5 * GAP - sum(column.width or 0.0 for column in narrow)), *narrow
+    taken = sum((column.width or 0.0) + column.before for column in narrow)
+    return Column(w["quantity"], width=(WIDTH - GUTTER) / 2 - taken), *narrow
 
 
 def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block]:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .pen import Pen
 
 GAP = 7.0  # between columns
+GUTTER = 17.2  # between tables or columns of text side by side: 6 mm
 PAD = 0.7  # above and below the text of a row
 MOST = 55  # lines of one row; a longer one goes on in the next
 DARK = (0.45, 0.45, 0.45)
@@ -24,12 +25,15 @@ DARK = (0.45, 0.45, 0.45)
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column: its header, its alignment (l, r), and its width (None: from its contents)."""
+    """A column: its header, its alignment (l, r), and its width (None: from its contents).
+
+    `before`: the room on its left; with a gutter there, a table of its own begins beside the one before it."""
 
     header: str = ""
     align: str = "l"
     width: float | None = None
     style: Style = CELL
+    before: float = GAP
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,8 +73,9 @@ def table(
 ) -> list[Block]:
     """The blocks of a table.  The flexible columns share what the fixed ones leave, by their contents."""
     wide = _widths(columns, rows, width)
-    left = [sum(wide[:i]) + GAP * i for i in range(len(wide))]
-    top = _header(columns, wide, left, width) if header and any(c.header for c in columns) else None
+    left = [sum(wide[:i]) + sum(c.before for c in columns[1 : i + 1]) for i in range(len(wide))]
+    ruled = _ruled(columns, left, width)
+    top = _header(columns, wide, left, ruled) if header and any(c.header for c in columns) else None
     whole = Tag("Table")
     blocks: list[Block] = [replace(top, gap=gap, keep=True, tag=Tag("TR", whole))] if top is not None else []
     held: list[Block] = []
@@ -78,7 +83,7 @@ def table(
         if isinstance(r, Group):
             held.append(replace(_group(r.words, width, top, len(columns)), tag=Tag("TR", whole)))
             continue
-        parts = [replace(part, tag=Tag("TR", whole)) for part in _row(columns, r, wide, left, width, top)]
+        parts = [replace(part, tag=Tag("TR", whole)) for part in _row(columns, r, wide, left, ruled, top)]
         if held:
             blocks += held
             held = []
@@ -123,7 +128,7 @@ def longest(words: str, style: Style) -> float:
 
 def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> list[float]:
     fixed = sum(c.width or 0.0 for c in columns)
-    free = width - GAP * (len(columns) - 1) - fixed
+    free = width - sum(c.before for c in columns[1:]) - fixed
     least = 24.0 * sum(c.width is None for c in columns)
     if free < least:  # fixed columns that are too wide together give way
         shrunk = [replace(c, width=c.width and c.width * (fixed + free - least) / fixed) for c in columns]
@@ -163,6 +168,13 @@ def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> lis
     return [column.width if column.width is not None else need[i] for i, column in enumerate(columns)]
 
 
+def _ruled(columns: Sequence[Column], left: list[float], width: float) -> list[tuple[float, float]]:
+    """Where the rules below a row run, each with its length: through all columns, but not through a gutter."""
+    starts = [0.0, *(x for x, column in zip(left[1:], columns[1:]) if column.before >= GUTTER)]
+    ends = [*(x - GUTTER for x in starts[1:]), width]
+    return [(start, end - start) for start, end in zip(starts, ends)]
+
+
 def _header_width(words: str) -> float:
     """A header that is not short may wrap between its words."""
     whole = run(words, HEADER).width
@@ -180,7 +192,7 @@ def _fair(needs: list[float], free: float) -> float:
     return free
 
 
-def _header(columns: Sequence[Column], wide: list[float], left: list[float], width: float) -> Block:
+def _header(columns: Sequence[Column], wide: list[float], left: list[float], ruled: list[tuple[float, float]]) -> Block:
     cells = [lines(c.header, HEADER, w, 9) if c.header else [] for c, w in zip(columns, wide)]
     tall = max(len(c) for c in cells) * HEADER.leading + 2 * PAD
 
@@ -191,7 +203,8 @@ def _header(columns: Sequence[Column], wide: list[float], left: list[float], wid
                 for i, line in enumerate(cell):
                     shift = w - line.width if column.align == "r" else 0.0
                     pen.put(line, x + shift, base - i * HEADER.leading)
-        pen.rule(0.0, y - tall, width, 0.6, DARK)
+        for start, length in ruled:
+            pen.rule(start, y - tall, length, 0.6, DARK)
 
     return Block(tall, draw)
 
@@ -214,11 +227,12 @@ def _row(
     cells: Sequence[str | Cell],
     wide: list[float],
     left: list[float],
-    width: float,
+    ruled: list[tuple[float, float]],
     top: Block | None,
 ) -> list[Block]:
     """One row, in several blocks where it is longer than a page should hold."""
     given = [_cell(cell) for cell in cells]
+    width = sum(ruled[-1])
     # per column: its lines with their leading
     content = [_words(cell, column, w) for cell, column, w in zip(given, columns, wide)]
     counts = [len(set_lines) for set_lines in content]
@@ -235,7 +249,7 @@ def _row(
     blocks = []
     for start in range(0, max(1, longest), MOST):
         part = [c[start : start + MOST] for c in content]
-        blocks.append(_part(aligned, part, wide, left, width, top, last=start + MOST >= longest))
+        blocks.append(_part(aligned, part, wide, left, ruled, top, last=start + MOST >= longest))
     if names := BETWEEN.join(cell.indexed for cell in given if cell.indexed):
         blocks[0] = replace(blocks[0], indexed=names)
     return blocks
@@ -254,7 +268,7 @@ def _part(
     content: list[list[tuple[Box, float]]],
     wide: list[float],
     left: list[float],
-    width: float,
+    ruled: list[tuple[float, float]],
     top: Block | None,
     *,
     last: bool,
@@ -269,7 +283,7 @@ def _part(
                     shift = w - line.width if align == "r" else 0.0
                     pen.put(line, x + shift, at - 0.76 * leading)
                     at -= leading
-        if last:
-            pen.rule(0.0, y - tall, width, 0.4, FAINT)
+        for start, length in ruled if last else ():
+            pen.rule(start, y - tall, length, 0.4, FAINT)
 
     return Block(tall, draw, repeat=top)

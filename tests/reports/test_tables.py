@@ -15,14 +15,14 @@ from calc.locale import language
 from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
 from calc.sheet.step import Step, Table
 from reports.blocks.inputs import ENDS, LONG, exact, input_blocks, material_blocks, used_materials
-from reports.blocks.values import _fitting, value_blocks
+from reports.blocks.values import _fitting, paired_table, value_blocks
 from reports.blocks.words import WORDS
 from reports.context import Context
 from reports.typesetting.fonts import LEFT, width
 from reports.typesetting.pagination import Block
 from reports.typesetting.pen import Pen
 from reports.typesetting.prose import CELL, NOTE
-from reports.typesetting.tables import Cell, Column
+from reports.typesetting.tables import GUTTER, Cell, Column
 from reports.typesetting.tables import table as made_table
 from tests.reports.reading import ROOT, V12, pages_of, solved, spans, squeezed, text_of, with_outcome
 from tests.reports.test_hostile import inside
@@ -309,3 +309,17 @@ def test_what_stands_below_words_runs_on_under_short_neighbours() -> None:
 
 def _words_of(columns: tuple[Column, ...], *cells: str | Cell) -> list[str]:
     return drawn(made_table(columns, [cells], width=400.0, header=False))
+
+
+def test_tables_side_by_side_stand_six_millimetres_apart() -> None:
+    """Their words, and their rules."""
+    context: Any = SimpleNamespace(words={key: str(words) for key, words in WORDS.items()})
+    pen = Pen(SimpleNamespace(), {}, {})  # type: ignore[arg-type]
+    rows = [(f"a quantity with a name of some length, {n}", "x", "1234.5", "kg·mm²") for n in range(5)]
+    for block in paired_table(context, "", rows):
+        block.draw(pen, 0.0)
+    right = [x for x, _, mark, _ in pen.text if mark[3] == str(WORDS["quantity"])][1]
+    ends = [x + width(mark[3], mark[5], mark[4]) for x, _, mark, _ in pen.text if x < right]
+    places = [[float(word) for word in code.split()[4:8]] for code, _ in pen.code]
+    assert right - max(ends) > 6 / 25.4 * 72 and GUTTER > 6 / 25.4 * 72
+    assert places and all(x + long <= right - GUTTER + 0.1 or x >= right - 0.1 for x, _, long, _ in places)
