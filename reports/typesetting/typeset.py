@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Formulas set from the trees of the sheet: fractions, roots, indices, sums, brackets that grow.
 
-A tree becomes a row of pieces; before some of them a line may break, the better the fewer brackets are open there.
+A tree becomes a row of pieces; before some of them a line may break, outside of brackets where that is possible.
 What is wider than the column and can not break (a fraction, a root, a power) is written out on the line instead."""
 
 import re
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from calc.sheet.expression import RANK, Expr
 from calc.sheet.number import SUPERSCRIPTS
@@ -127,7 +127,7 @@ class Setter:
 
     def bracketed(self, inside: list[SetPiece], open: float, left: str = "(", right: str = ")") -> list[SetPiece]:
         up, down = max(p.box.up for p in inside), max(p.box.down for p in inside)
-        deeper = [SetPiece(p.box, p.open + 1.0) if p.open is not None and p.open < open + 1.0 else p for p in inside]
+        deeper = [SetPiece(p.box, p.open + 1.0) if p.open is not None else p for p in inside]
         return [
             SetPiece(stretched(left, self.size, up, down)),
             *deeper,
@@ -205,7 +205,7 @@ class Setter:
             if i:
                 inside_pieces.append(SetPiece(self.word("; ")))
             more = self.pieces(arg, 0, open)
-            inside_pieces += [SetPiece(more[0].box, open + 1.0), *more[1:]] if i else more
+            inside_pieces += [SetPiece(more[0].box, open), *more[1:]] if i else more
         name = SetPiece(row([self.word(tree.name), space(0.04 * self.size)]))
         return 5.0, [name, *self.bracketed(inside_pieces or [SetPiece(space(0.0))], open)]
 
@@ -260,56 +260,43 @@ class Setter:
 
 # --- lines
 
+# what a line costs that is made smaller, where a break costs the number of brackets that it leaves open: less than one,
+# since all in a bracket is read more easily on one line
+SHRUNK = 0.6
+Cost = tuple[float, float, int, float]  # what is too wide, what is torn or made smaller, lines, how they look
+
 
 def lines(pieces: list[SetPiece], width: float) -> list[Box]:
-    """Pieces broken into lines of at most this width, at the outermost operators that fill a line well."""
+    """Pieces broken into lines of at most this width: outside of all brackets where that is possible, else inside as
+    few as possible, or made a little smaller (at most TIGHT); on few lines, at operators that fill them well."""
+    starts = [0, *(n for n, piece in enumerate(pieces) if n and piece.open is not None), len(pieces)]
+    ends = [0.0]  # of what stands before each of these
+    for start, end in pairwise(starts):
+        ends.append(ends[-1] + sum(piece.box.width for piece in pieces[start:end]))
+    # up to each of them what the lines cost at least, and where the last of these begins
+    best: list[tuple[Cost, int]] = [((0.0, 0.0, 0, 0.0), 0)]
+    last = len(starts) - 1
+    for end in range(1, len(starts)):
+        opened = (pieces[starts[end]].open or 0.0) if end < last else 0.0
+        torn = max(0.0, opened // 1.0)
+        choices: list[tuple[Cost, int]] = []
+        for start in range(end - 1, -1, -1):
+            full = (ends[end] - ends[start]) / width
+            if full > TIGHT and choices:
+                break
+            excess, made_smaller, count, looks = best[start][0]
+            excess += max(0.0, full - TIGHT)
+            made_smaller += torn + (SHRUNK if full > 1.0 + 1e-9 else 0.0)
+            looks += opened - torn + (4.0 * max(0.0, 1.0 - full) ** 2 if end < last else 0.0)
+            choices.append(((excess, made_smaller, count + 1, looks), start))
+        best.append(min(choices))
     set_lines: list[Box] = []
-    start = 0
-    while start < len(pieces):
-        x, end = 0.0, start
-        while end < len(pieces) and (end == start or x + pieces[end].box.width <= width):
-            x += pieces[end].box.width
-            end += 1
-        if end < len(pieces):
-            best, cost = end, float("inf")
-            x = 0.0
-            for i in range(start, end + 1):
-                if i > start and (opened := pieces[i].open) is not None:
-                    empty = 1.0 - x / width
-                    here = opened + 4.0 * empty**2
-                    if here <= cost:
-                        best, cost = i, here
-                x += pieces[i].box.width
-            if (
-                opened := pieces[best].open
-            ) is None or opened >= 1.0:  # rather a little smaller than torn inside its brackets
-                best = _whole(pieces, start, width) or best
-            if cost == float("inf"):  # nowhere to break inside: up to the next place, made smaller below
-                while best < len(pieces) and pieces[best].open is None:
-                    best += 1
-            end = best
-        line = row([p.box for p in pieces[start:end]])
-        set_lines.append(scaled(line, width / line.width) if line.width > width else line)
-        start = end
+    while last > 0:
+        start = best[last][1]
+        line = row([piece.box for piece in pieces[starts[start] : starts[last]]])
+        set_lines.insert(0, scaled(line, width / line.width) if line.width > width else line)
+        last = start
     return set_lines
-
-
-def _whole(pieces: list[SetPiece], start: int, width: float) -> int:
-    """Where the line ends that is a little too wide (at most TIGHT times) and leaves none of its tall brackets open; 0:
-    there is none."""
-    x, tall = 0.0, False
-    for i in range(start, len(pieces) + 1):
-        opened = pieces[i].open if i < len(pieces) else 0.0
-        if tall and width < x <= TIGHT * width and opened is not None and opened < 1.0:
-            return i
-        if i < len(pieces):
-            x, tall = x + pieces[i].box.width, tall or _drawn_out(pieces[i].box)
-    return 0
-
-
-def _drawn_out(box: Box) -> bool:
-    """Whether a box is a bracket that was drawn out in height."""
-    return len(box.marks) == 1 and box.marks[0][0] == "text" and box.marks[0][7] > 1.0
 
 
 def formula(tree: Expr, size: float, column: float) -> list[SetPiece]:

@@ -154,14 +154,49 @@ def _names(found: Expr) -> set[str]:
     return {found.name} if found.head == "symbol" else set().union(*map(_names, found.args))
 
 
-def test_tall_brackets_are_made_a_little_smaller_rather_than_torn() -> None:
-    def torn(source: str) -> int:
+def test_brackets_are_made_a_little_smaller_rather_than_torn() -> None:
+    def torn(source: str, tight: float = 1.1) -> int:
         whole = box(source).width
-        return len(lines(pieces(tree(source), SIZE, whole), whole / 1.1))
+        return len(lines(pieces(tree(source), SIZE, whole), whole / tight))
 
-    assert torn("max(a / b, c + d + a + b)") == 1
-    assert torn("max(a, b + c + d + a + b)") == 2, "brackets that are letters may break"
-    assert torn("a / b + max(c, d)") == 2, "its brackets are letters too"
+    assert torn("max(a / b, c + d + a + b)") == torn("max(a, b + c + d + a + b)") == 1
+    assert torn("a / b + max(c, d)") == 2, "outside of them there is a sign to break at"
+    assert torn("max(a, b + c + d + a + b)", 1.5) == 2, "too wide even when smaller"
+
+
+def depths(made: list[Box]) -> list[int]:
+    """How many brackets are open at each line's end but the last."""
+    read = [written(line) for line in made]
+    return [
+        sum(map("".join(read[: n + 1]).count, "([")) - sum(map("".join(read[: n + 1]).count, ")]"))
+        for n in range(len(read) - 1)
+    ]
+
+
+@pytest.mark.parametrize("share", [0.95, 0.8, 0.65, 0.5])
+@pytest.mark.parametrize(
+    "source",
+    [
+        "a + b*(a + b + c + d) - c*(d - a - b)",
+        "a*b*c*(a + b) + d",
+        "a * (b + c) * (c + d) * (d + a) * (a + b + c)",
+        "a - b - max(c, d, a) - (a + b)*(c + d)",
+    ],
+)
+def test_no_line_ends_inside_brackets_where_it_can_end_outside(source: str, share: float) -> None:
+    """All brackets of these fit on a line."""
+    width = share * box(source).width
+    made = lines(pieces(tree(source), SIZE, width), width)
+    assert len(made) > 1 and depths(made) == [0] * (len(made) - 1)
+    assert all(m[5] == SIZE for line in made for m in line.marks if m[3] in "abcd"), "and none is made smaller"
+
+
+def test_inside_brackets_lines_end_where_the_fewest_are_open() -> None:
+    inner = " + ".join(["a*(b + c)"] * 8)
+    source = f"max(d, {inner})"
+    width = 0.3 * box(source).width
+    made = lines(pieces(tree(source), SIZE, width), width)
+    assert len(made) > 2 and set(depths(made)) == {1}
 
 
 def test_a_letter_after_an_index_may_have_its_own() -> None:
