@@ -449,16 +449,21 @@ SPELT: dict[str, tuple[str, *tuple[float, ...]]] = {
 }
 
 
+def rank_of_number(name: str, outer: float) -> float:
+    """How strongly a written number holds together: one with a sign, a power of ten or an angle needs brackets in a
+    product."""
+    if name.startswith("−") and outer > 0:
+        return 0.0
+    return 2.0 if name.startswith("−") or "·10" in name or "∠" in name else 5.0
+
+
 def text(tree: Expr, outer: float = 0) -> str:
-    """A tree as one line of text."""
+    """A tree as one line of text; semicolons part arguments, as a number may have a comma."""
     rank = RANK.get(tree.head, 5)
     a = tree.args
     match tree.head:
         case "number":
-            rank = 2 if "·10" in tree.name or tree.name.startswith("−") else 5
-            if tree.name.startswith("−") and outer > 0:
-                rank = 0
-            out = tree.name
+            rank, out = rank_of_number(tree.name, outer), tree.name
         case "symbol":
             out = plain(tree.name)
         case "pow":
@@ -471,7 +476,7 @@ def text(tree: Expr, outer: float = 0) -> str:
             form, *ranks = SPELT[head]
             out = form.format(*map(text, a, ranks))
         case _:
-            out = f"{tree.name}({', '.join(text(x) for x in a)})"
+            out = f"{tree.name}({'; '.join(text(x) for x in a)})"
     return f"({out})" if rank < outer else out
 
 

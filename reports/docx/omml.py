@@ -4,7 +4,7 @@ and edits them."""
 
 from xml.sax.saxutils import escape
 
-from calc.sheet.expression import RANK, Expr, Shown
+from calc.sheet.expression import RANK, Expr, Shown, rank_of_number
 
 from ..typesetting.typeset import UPRIGHT_LETTERS, symbol_parts
 
@@ -84,8 +84,7 @@ def _ranked(of: Expr, outer: float) -> tuple[float, str]:
     a = of.args
     match of.head:
         case "number":
-            negative, power = of.name.startswith("−"), "·10" in of.name
-            return 0.0 if negative and outer > 0 else 2.0 if power or negative or "∠" in of.name else 5.0, run(of.name)
+            return rank_of_number(of.name, outer), run(of.name)
         case "symbol":
             return 5.0, symbol(of.name)
         case "add":

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import groupby, pairwise
 
-from calc.sheet.expression import RANK, Expr
+from calc.sheet.expression import RANK, Expr, rank_of_number
 from calc.sheet.number import SUPERSCRIPTS
 
 from .boxes import BLACK, Box, Colour, fraction, radical, raised, row, scaled, space, stretched, text
@@ -138,9 +138,7 @@ class Setter:
         a = tree.args
         match tree.head:
             case "number":
-                negative, power = tree.name.startswith("−"), "·10" in tree.name
-                rank = 0.0 if negative and outer > 0 else 2.0 if power or negative or "∠" in tree.name else 5.0
-                return rank, [SetPiece(self.word(tree.name))]
+                return rank_of_number(tree.name, outer), [SetPiece(self.word(tree.name))]
             case "symbol":
                 face = symbol(tree.name, self.size)
                 return 5.0, [SetPiece(face)]

@@ -78,7 +78,7 @@ def worked_out(text: str):
 
 
 def rows(python: str) -> str:
-    """`(a;b)` as `row(a,b)`."""
+    """`(a;b)` as `row(a,b)`; what follows a word are its arguments."""
     starts, out = [], list(python)
     for at, sign in enumerate(python):
         if sign == "(":
@@ -87,7 +87,8 @@ def rows(python: str) -> str:
             starts.pop()
         elif sign == ";":
             out[at] = ","
-            out[starts[-1]] = "row(" if out[starts[-1]] == "(" else out[starts[-1]]
+            alone = not python[: starts[-1]][-1:].isalnum()
+            out[starts[-1]] = "row(" if alone and out[starts[-1]] == "(" else out[starts[-1]]
     return "".join(out)
 
 
@@ -161,7 +162,8 @@ def test_no_dust_is_printed():
         ("Σ((1; 2)·(3; 4))", 11.0),
         ("2∠90°", 2j),
         ("√π/2", math.sqrt(math.pi) / 2),
-        ("max(1, 2)^0.5", math.sqrt(2)),
+        ("max(1; 2)^0.5", math.sqrt(2)),
+        ("max((1; 3)) − 1·(2; 1)", (1, 2)),
         ("|3 − |−5||", 2.0),
         ("2i·3", 6j),
     ],
