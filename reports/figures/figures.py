@@ -20,7 +20,7 @@ from ..typesetting.boxes import GREY
 from ..typesetting.fonts import LEFT, WIDTH
 from ..typesetting.pagination import Block, Picture
 from ..typesetting.prose import STRONG, lines, run
-from ..typesetting.tags import FIGURE, Tag
+from ..typesetting.tags import CAPTION, FIGURE, Tag
 from .arrows import ARROW, head
 from .labels import Label, at_the_ends, at_the_point, draw_legend, legend, margin, placed
 from .plots import ALONE, HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers, plot
@@ -73,8 +73,9 @@ class Stack:
                 self._sketch(pen, curve, x, y + SKETCH / 2)
             else:
                 panel.place(pen, x, y - LOW)
-        for i, line in enumerate(self.caption):
-            pen.put(line, x + LEFT_AXIS, y - LOW - (i + 0.78) * STRONG.leading)
+        with pen.tagged(Tag(CAPTION, self.tag)):
+            for i, line in enumerate(self.caption):
+                pen.put(line, x + LEFT_AXIS, y - LOW - (i + 0.78) * STRONG.leading)
 
     def _sketch(self, pen: Pen, curve: Curve, x: float, middle: float) -> None:
         """The shaft flattened to a strip, its loads as arrows that pull at it, and those of its bearings, which
@@ -243,5 +244,6 @@ class _Figure:
             self.lying.draw(pen, x, low)
         else:
             self.recording.place(pen, x, low)
-        for i, line in enumerate(self.caption):
-            pen.put(line, x + LEFT_AXIS, low - (i + 0.78) * STRONG.leading)
+        with pen.tagged(Tag(CAPTION, self.tag)):
+            for i, line in enumerate(self.caption):
+                pen.put(line, x + LEFT_AXIS, low - (i + 0.78) * STRONG.leading)

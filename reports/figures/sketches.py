@@ -41,7 +41,7 @@ from ..typesetting.boxes import BLACK, GREY, Colour
 from ..typesetting.fonts import BOLD, LEFT, WIDTH
 from ..typesetting.pagination import Block, Picture
 from ..typesetting.prose import NOTE, STRONG, Style, lines, one_line
-from ..typesetting.tags import FIGURE, Tag
+from ..typesetting.tags import CAPTION, FIGURE, Tag
 from .labels import FREE, Label, placed
 
 if TYPE_CHECKING:
@@ -144,13 +144,14 @@ def _rows(pictures: list[_Picture], caption: str, abreast: int) -> Block:
         for row in rows:
             row.draw(pen, y)
             y -= row.height + APART
-        for i, line in enumerate(under):
-            pen.put(line, 0.0, y + APART - 5.0 - (i + 0.78) * STRONG.leading)
+        with pen.tagged(Tag(CAPTION, tag)):
+            for i, line in enumerate(under):
+                pen.put(line, 0.0, y + APART - 5.0 - (i + 0.78) * STRONG.leading)
 
     below = len(under) * STRONG.leading
-    alt = "; ".join([caption, *(words for picture in pictures for words in picture.words)])
+    tag = Tag(FIGURE, alt="; ".join([caption, *(words for picture in pictures for words in picture.words)]))
     high = sum(row.height for row in rows) + APART * (len(rows) - 1) + 5.0 + below
-    return Block(high, draw, gap=6.0, content=Picture((caption,), below), tag=Tag(FIGURE, alt=alt))
+    return Block(high, draw, gap=6.0, content=Picture((caption,), below), tag=tag)
 
 
 class _Picture:

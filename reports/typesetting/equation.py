@@ -23,6 +23,7 @@ from .fonts import WIDTH, clean
 from .pagination import Block, Formula
 from .prose import CELL, NOTE, SOURCE
 from .prose import lines as text_lines
+from .tags import FORMULA, Tag
 from .typeset import SetPiece, formula, lines, symbol
 
 if TYPE_CHECKING:
@@ -99,12 +100,11 @@ def entry_blocks(
     head = symbol(first.symbol if alike else entry.formula.symbol, SIZE)
     sign = max(sign, head.width + 4.0)
     if len(entry.lines) == 1 and not labelled:
-        copied = f"{spoken(first)} {spoken_numbers(first)}"
+        copied = f"{spoken(first)} {_copied_numbers(first)}"
         whole = [("", line) for line in _whole(first, sign)]
         alone = _block(head, whole, sign, source, copied, Formula(first, (("", first),), "", source), gap=gap)
         return [replace(alone, indexed=indexed)]
     rows: list[tuple[str, Box]] = [("", line) for line in _formula_lines(first, sign)]
-    words_of_all = [spoken(first)]
     parts = list(_parts(entry.lines).values())
     groups: list[tuple[list[tuple[str, Box]], list[str], list[tuple[str, Shown]], str]] = []
     rest: list[Labelled] = []
@@ -116,7 +116,7 @@ def entry_blocks(
         if n and len(parts) > 2 and not entry.full and (len(own_rows) > 1 or own_rows[0][1].height > TALL):
             rest += calculations
             continue
-        more = _others(others, own_rows, words, context)
+        more = _others(others, own_rows, numbers, context)
         groups.append((_with_others(own_rows, more, sign), [*words, more], numbers, more))
     if more := _others(rest, [], [], context, written=entry.lines[0][0].variant):
         own_rows, words, numbers, before = groups.pop()
@@ -125,11 +125,13 @@ def entry_blocks(
         )
     (own_rows, words, numbers, more), *later = groups
     content = Formula(first, tuple(numbers), more, source)
-    first_block = _block(head, rows + own_rows, sign, source, " ".join([*words_of_all, *words]), content, gap=gap)
+    apart = "; " if numbers[0][0] else " "
+    copied = spoken(first) + apart + _copied(words)
+    first_block = _block(head, rows + own_rows, sign, source, copied, content, gap=gap)
     return [
         replace(first_block, indexed=indexed),
         *(
-            _block(None, own_rows, sign, "", " ".join(words), Formula(None, tuple(numbers), more, ""), gap=LEAD)
+            _block(None, own_rows, sign, "", _copied(words), Formula(None, tuple(numbers), more, ""), gap=LEAD)
             for own_rows, words, numbers, more in later
         ),
     ]
@@ -143,14 +145,16 @@ def _calculated(
     full = calculations[0][0]
     rows: list[tuple[str, Box]] = []
     words: list[str] = []
+    said: set[str] = set()
     others: list[Labelled] = []
     lines: list[tuple[str, Shown]] = []
     for label, line in calculations:
         if label != full or len(words) >= MOST:
             others.append((label, line))
-        elif (again := spoken_numbers(shown_line := shown(line, say, entry))) not in words:
+        elif (again := spoken_numbers(shown_line := shown(line, say, entry))) not in said:
             name = label.text() if labelled and not words else ""
-            words.append(again)
+            said.add(again)
+            words.append(_copied_numbers(shown_line, name))
             lines.append((name, shown_line))
             rows += [(name if i == 0 else "", r) for i, r in enumerate(_number_lines(shown_line, sign))]
     return rows, words, others, lines
@@ -176,13 +180,17 @@ def _parts(labelled: list[Labelled]) -> dict[str, list[Labelled]]:
 
 
 def _others(
-    rest: list[Labelled], rows: list[tuple[str, Box]], words: list[str], context: Context, written: str = ""
+    rest: list[Labelled],
+    rows: list[tuple[str, Box]],
+    numbers: list[tuple[str, Shown]],
+    context: Context,
+    written: str = "",
 ) -> str:
     """The further calculations of a part by their values; what says the same as the one in full is left out.
 
     Those of other parts are of the kind that is `written` out above, "twice the load", unless they say another.
     """
-    known = {s.rpartition("= ")[2] for s in words}
+    known = {with_unit(line.value, line.unit) for _, line in numbers}
     by_part: dict[str, dict[str, None]] = {}
     seen: set[tuple[str, str]] = set()  # a part's values: what a variant has in common with the part is not repeated
     unit = ""
@@ -205,16 +213,29 @@ def _others(
 
 def spoken(line: Shown) -> str:
     """The formula of a line as plain text, for whoever copies it."""
-    return (
-        f"{plain(line.symbol)}: {line.shows}"
-        if line.formula is None
-        else f"{plain(line.symbol)} = {text(line.formula)}"
-    )
+    if line.formula is None:
+        return f"{plain(line.symbol)}: {line.shows}"
+    return plain(line.symbol) if _named_alike(line) else f"{plain(line.symbol)} = {text(line.formula)}"
+
+
+def _named_alike(line: Shown) -> bool:
+    """Whether a value is called what it is, |C| or l/d, which need not be said twice."""
+    return line.formula is not None and text(line.formula) == plain(line.symbol)
 
 
 def spoken_numbers(line: Shown) -> str:
     value = f"= {line.result}"
     return value if line.numbers is None else f"= {text(line.numbers)} {value}"
+
+
+def _copied_numbers(line: Shown, part: str = "") -> str:
+    """All that stands on a line of numbers: whose they are, and of which place."""
+    return f"{f'{part}: ' if part else ''}{spoken_numbers(line)} {line.where}".strip()
+
+
+def _copied(words: list[str]) -> str:
+    """What stands below each other as one line."""
+    return "; ".join(filter(None, words))
 
 
 def _equals(pieces: list[SetPiece]) -> list[SetPiece]:
@@ -267,8 +288,7 @@ def _whole(line: Shown, sign: float) -> list[Box]:
     width = COLUMN - sign
     if line.formula is None or line.numbers is None:
         return [*_formula_lines(line, sign), *_number_lines(line, sign)]
-    # the length of a vector is written as its symbol, |C|, which need not be said twice
-    same = text(line.formula) == plain(line.symbol)
+    same = _named_alike(line)
     head = [] if same else _equals(formula(line.formula, SIZE, width - 1.2 * SIZE))
     tail = [*_equals(formula(line.numbers, SIZE, width - 1.2 * SIZE)), *_value(line)]
     both = [*head, *([] if same else [SetPiece(space(0.34 * SIZE))]), *tail]
@@ -308,7 +328,8 @@ def _block(
     y = max(y, labelled)
     lift = bases[0] - SOURCE.size * 0.76
     height = max(y, (lift if lift > 0 else 0.0) + len(beside) * SOURCE.leading)
-    start = ("begin", 0.0, 0.0, clean(words))
+    words = clean(words)
+    start = ("begin", 0.0, 0.0, words)
 
     def draw(pen: Pen, top: float) -> None:
         pen.put(Box(0.0, 0.0, 0.0, (start,)), 0.0, top)
@@ -319,7 +340,8 @@ def _block(
                 pen.put(part, 0.0, top - base - i * NOTE.leading)
             pen.put(line, sign, top - base)
         pen.put(Box(0.0, 0.0, 0.0, (("end", 0.0, 0.0),)), 0.0, top)
-        for i, part in enumerate(beside):
-            pen.put(part, WIDTH - SOURCE_WIDTH, top - lift - i * SOURCE.leading - 0.76 * SOURCE.size)
+        with pen.tagged(Tag("P")):
+            for i, part in enumerate(beside):
+                pen.put(part, WIDTH - SOURCE_WIDTH, top - lift - i * SOURCE.leading - 0.76 * SOURCE.size)
 
-    return Block(height, draw, gap, content=content)
+    return Block(height, draw, gap, content=content, tag=Tag(FORMULA, alt=words))

@@ -16,7 +16,7 @@ from reportlab.pdfgen.canvas import Canvas
 
 from .boxes import BLACK, EDGE, Box, Colour, Mark
 from .fonts import LEFT, face_of
-from .tags import FIGURE, Element, Link, SignatureField, Tag, Tree, hexed
+from .tags import DRAWN, Element, Link, SignatureField, Tag, Tree, hexed
 
 Encoded = tuple[str, str]  # a part of an embedded font by its name on the page, and codes in it
 Codes = tuple[dict[str, list[Encoded]], dict[str, Encoded]]  # texts and single letters, as a font encodes them
@@ -129,8 +129,8 @@ class Pen:
         self._draw(f"{_rgb(colour)} rg {corner} {size} re f")
 
     def _draw(self, code: str) -> None:
-        """Lines and areas are content in a figure; elsewhere they adorn."""
-        self.code.append((code, self.element if self.element is not None and self.element.role == FIGURE else None))
+        """Lines and areas are content in what is drawn; elsewhere they adorn."""
+        self.code.append((code, self.element if self.element is not None and self.element.role in DRAWN else None))
 
     def line(
         self, points: list[tuple[float, float]], thick: float, colour: Colour, dashes: tuple[float, ...] = ()

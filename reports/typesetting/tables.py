@@ -11,7 +11,7 @@ from .boxes import BETWEEN, FAINT, Box
 from .fonts import WIDTH
 from .pagination import Block, Content, heading, paragraph
 from .prose import CELL, GROUP, HEADER, NOTE, Style, lines, run
-from .tags import COLUMN, ROW, Tag
+from .tags import CAPTION, COLUMN, ROW, Tag
 
 if TYPE_CHECKING:
     from .pen import Pen
@@ -69,14 +69,22 @@ class Rows(Content):
 
 
 def table(
-    columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 3.0, header: bool = True
+    columns: Sequence[Column],
+    rows: Sequence[Row],
+    *,
+    width: float = WIDTH,
+    gap: float = 3.0,
+    header: bool = True,
+    tag: Tag | None = None,
 ) -> list[Block]:
-    """The blocks of a table.  The flexible columns share what the fixed ones leave, by their contents."""
+    """The blocks of a table.  The flexible columns share what the fixed ones leave, by their contents.
+
+    `tag`: of all of it, where something else is part of it."""
     wide = _widths(columns, rows, width)
     left = [sum(wide[:i]) + sum(c.before for c in columns[1 : i + 1]) for i in range(len(wide))]
     ruled = _ruled(columns, left, width)
     top = _header(columns, wide, left, ruled) if header and any(c.header for c in columns) else None
-    whole = Tag("Table")
+    whole = tag or Tag("Table")
     blocks: list[Block] = [replace(top, gap=gap, keep=True, tag=Tag("TR", whole))] if top is not None else []
     held: list[Block] = []
     for n, r in enumerate(rows):
@@ -98,10 +106,13 @@ def table(
 def named_table(
     title: str, columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 4.0
 ) -> list[Block]:
-    """A table under a small heading of its own."""
+    """A table under a small heading of its own, which is its caption."""
     if not title:
         return table(columns, rows, width=width, gap=gap)
-    return [*heading(title, GROUP, gap=gap + 3.0, after=0.0), *table(columns, rows, width=width, gap=0.0)]
+    whole = Tag("Table")
+    caption = Tag(CAPTION, whole)
+    head = [replace(block, tag=caption) for block in heading(title, GROUP, gap=gap + 3.0, after=0.0)]
+    return [*head, *table(columns, rows, width=width, gap=0.0, tag=whole)]
 
 
 def noted_below(blocks: list[Block], words: str, *, gap: float = 2.0) -> list[Block]:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the parts of a page are, for whoever reads the document by a machine: headings, paragraphs, lists, tables,
-figures.
+figures with their captions, formulas.
 
 A block says what it is by its tag (`pagination.Block.tag`); what says nothing is a paragraph.  Blocks with one and the
 same tag, the lines of a paragraph, the rows of a table, are one element of the tree (ISO 32000-1, 14.7), on however
@@ -17,7 +17,8 @@ from reportlab.pdfbase.pdfdoc import PDFDictionary, PDFName, PDFObject, PDFObjec
 from .boxes import EDGE
 
 GATHERED = {"LI": "L", "TOCI": "TOC"}  # neighbours of a kind stand in a common element
-HEADING, FIGURE = "H", "Figure"
+HEADING, FIGURE, FORMULA, CAPTION = "H", "Figure", "Formula", "Caption"
+DRAWN = (FIGURE, FORMULA)  # of which lines and areas are content, as the bar of a fraction; elsewhere they adorn
 CELLS = ("TD", "TH")
 PRINTED = 4  # the flag of what lies over a page: it is printed
 LEVELS = 6  # of headings, at most
@@ -27,7 +28,7 @@ COLUMN, ROW = "/O /Table /Scope /Column", "/O /Table /Scope /Row"  # what a cell
 @dataclass(frozen=True, slots=True, eq=False)  # the same only as itself
 class Tag:
     """`within`: the element that this one is part of; `size`: of a heading's letters, the larger above the smaller;
-    `alt`: what a figure shows, in words."""
+    `alt`: what a figure shows, in words; a formula as one line."""
 
     role: str
     within: Tag | None = None

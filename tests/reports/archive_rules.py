@@ -15,8 +15,10 @@ from fontTools.ttLib import TTFont
 from pypdf import PdfReader
 from pypdf.generic import IndirectObject
 
-STANDARD = set("Document H1 H2 H3 H4 H5 H6 P L LI Lbl LBody Table TR TH TD TOC TOCI Link Form Figure Span".split())
-INSIDE = {"L": {"LI"}, "LI": {"Lbl", "LBody"}, "Table": {"TR"}, "TR": {"TH", "TD"}, "TOC": {"TOCI"}}
+STANDARD = set(
+    "Document H1 H2 H3 H4 H5 H6 P L LI Lbl LBody Table TR TH TD TOC TOCI Link Form Figure Formula Caption Span".split()
+)
+INSIDE = {"L": {"LI"}, "LI": {"Lbl", "LBody"}, "Table": {"TR", "Caption"}, "TR": {"TH", "TD"}, "TOC": {"TOCI"}}
 DRAWS = re.compile(rb"(?:^|\s)(?:Tj|TJ|f\*?|S|B|Do)$")
 NS = {
     "rdf": "http://www.w3.org/1999/02/22-rdf-syntax-ns#",
@@ -214,12 +216,18 @@ def structure_rules(reader: PdfReader) -> Iterator[str]:
             if int(heading[1]) > level + 1:
                 yield f"a heading of level {heading[1]} after one of level {level}"
             level = int(heading[1])
-        if role == "Figure" and not str(element.get("/Alt", "")).strip():
-            yield "6.7.5 a figure without words"
-        if (
-            role == "Table"
-            and len({sum(int(cell.get("/A", {}).get("/ColSpan", 1)) for cell in kids_of(line)) for line in kids}) > 1
-        ):
+        if role in ("Figure", "Formula") and not str(element.get("/Alt", "")).strip():
+            yield f"6.7.5 a {role} without words"
+        if role == "Caption" and (element["/P"].get_object()["/S"] not in ("/Figure", "/Table")):
+            yield f"a caption of a {element['/P'].get_object()['/S']}"
+        if role == "Table" and any(kid["/S"] == "/Caption" for kid in kids[1:]):
+            yield "a caption below the rows of its table"
+        lengths = {
+            sum(int(cell.get("/A", {}).get("/ColSpan", 1)) for cell in kids_of(line))
+            for line in kids
+            if line["/S"] == "/TR"
+        }
+        if role == "Table" and len(lengths) != 1:
             yield "a table whose rows differ in length"
         if role not in ("TD", "TH") and not kids_of(element):
             yield f"6.7.3 an empty {role}"
