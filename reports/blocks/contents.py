@@ -16,7 +16,7 @@ from calc.sheet.text import Text
 from ..context import Context
 from ..typesetting.boxes import BETWEEN, FAINT, SIGN, Box, text
 from ..typesetting.fonts import HEIGHT, WIDTH
-from ..typesetting.pagination import Block, bullet, heading, on_paper_only, paragraph
+from ..typesetting.pagination import Block, ListOfHeadings, bullet, heading, paragraph
 from ..typesetting.prose import BODY, GROUP, NOTE, SECTION, one_line, run
 from ..typesetting.tables import GUTTER, Cell, Column, Group, Row, noted_below, table
 from ..typesetting.tags import Tag
@@ -45,7 +45,9 @@ def contents_blocks(context: Context, entries: list[ContentsEntry], names: list[
 
     `names`: the parts that there may be, in their order.
     """
-    blocks = on_paper_only(heading(context.words["contents"], SECTION, gap=12.0, after=1.0))
+    title = context.words["contents"]
+    blocks = heading(title, SECTION, gap=12.0, after=1.0)
+    blocks[0] = replace(blocks[0], content=ListOfHeadings(title))
     parts = {name: run(name, NOTE) for name in names if any(name in entry.parts for entry in entries)}
     share = (PARTS - sum(box.width + NUMBER for box in parts.values())) / max(len(parts), 1)
     columns: dict[str, tuple[float, Box]] = {}

@@ -31,18 +31,19 @@ from ..made import program
 from ..report import blocks, context_of, inputs_of
 from ..typesetting.equation import spoken, spoken_numbers
 from ..typesetting.fonts import BOLD, BOTTOM, LEFT, PAGE, RIGHT, TOP, UPRIGHT, WIDTH
-from ..typesetting.pagination import Block, Formula, Heading, Picture, TextContent
+from ..typesetting.pagination import Block, Formula, Heading, ListOfHeadings, Picture, TextContent
 from ..typesetting.pen import Codes, Pen
 from ..typesetting.prose import BODY, CELL, HEADER, INLINE, NOTE, Style
 from ..typesetting.tables import Cell, Column, Group, Row, Rows
 from ..typesetting.typeset import symbol_parts
-from . import omml
+from . import contents, omml
 
 # --- the sheet and the styles
 # The program's own names for body, table and source, so that a template can restyle them.
 
 BODY_TEXT, TABLE_TEXT, SOURCE = "Report Text", "Report Table", "Report Source"
 BULLET, CAPTION, SUBTITLE = "List Bullet", "Caption", "Subtitle"  # Word's own
+CONTENTS = (contents.TITLE, *(contents.ENTRY.format(level=level) for level in contents.LOOKS))
 SIZES = {BODY_TEXT: 9.5, TABLE_TEXT: 7.5, SOURCE: 7.5}
 CELLS = (  # margins at the sides of a table's cells, in twentieths of a point
     f'<w:tblCellMar {nsdecls("w")}><w:left w:w="60" w:type="dxa"/><w:right w:w="60" w:type="dxa"/></w:tblCellMar>'
@@ -69,9 +70,10 @@ def prepare(file: Any, language: str) -> dict[str, str]:
         style.font.size = Pt(size)
         style.paragraph_format.space_before = Pt(0)
         style.paragraph_format.space_after = Pt(0 if name == TABLE_TEXT else 3)
+    contents.prepare(file)
     file.styles[BULLET].font.size = Pt(SIZES[BODY_TEXT])
     file.styles[SOURCE].font.color.rgb = GREY
-    return {name: file.styles[name].style_id for name in (*SIZES, BULLET, CAPTION, SUBTITLE)}
+    return {name: file.styles[name].style_id for name in (*SIZES, BULLET, CAPTION, SUBTITLE, *CONTENTS)}
 
 
 # --- what a report draws, as pictures of pixels
@@ -145,6 +147,7 @@ class _Writer:
         self.context = context
         self.file: Any = new_document()
         self.styles = prepare(self.file, context.say.code)
+        self.listed: int | None = None  # headings that the contents lead to, which stand there already
         about, control = self.file.core_properties, context.design.control
         about.title, about.author = written(context.design.name)[:255], written(control.signatures()[0][1].name)[:255]
         about.subject, about.comments, about.language = context.words["report"], program(context.made), context.say.code
@@ -161,9 +164,11 @@ class _Writer:
         for block in all_blocks:
             match block.content:
                 case Heading(words, level):
-                    self.file.add_heading(written(words), level)
+                    self.heading(self.file.add_heading(written(words), level), level)
                     if level == 0:
                         self.line(SUBTITLE).add_run(self.context.words["report"])
+                case ListOfHeadings(title):
+                    self.contents(title, all_blocks)
                 case TextContent(words, style, bullet):
                     runs(self.line(BULLET if bullet else BODY_TEXT), words, style)
                 case Rows(columns, rows, widths):
@@ -172,6 +177,29 @@ class _Writer:
                     self.formula(content)
                 case Picture(captions):
                     self.picture(next(drawn), captions)
+        if self.listed:
+            contents.end(self.file.paragraphs[-1], 0)
+
+    def contents(self, title: str, all_blocks: list[Block]) -> None:
+        """The headings of all that follows, to which the next ones are the places that these lead to."""
+        start = next(n for n, block in enumerate(all_blocks) if isinstance(block.content, ListOfHeadings))
+        heads = [block.content for block in all_blocks[start:] if isinstance(block.content, Heading)]
+        entries = [(written(head.words), head.level) for head in heads if head.level <= contents.LEVELS]
+        if entries:
+            ids = {level: self.styles[contents.ENTRY.format(level=level)] for level in contents.LOOKS}
+            self.file.element.body.insert_element_before(
+                contents.field(title, entries, ids, self.styles[contents.TITLE]), "w:sectPr"
+            )
+            self.listed = 0
+
+    def heading(self, paragraph: Any, level: int) -> None:
+        """A heading; one that the contents lead to has a bookmark, and with the first begins what they are of."""
+        if self.listed is None or level > contents.LEVELS:
+            return
+        if self.listed == 0:
+            contents.begin(paragraph, contents.BODY, 0)
+        contents.bookmark(paragraph, contents.anchor(self.listed), self.listed + 1)
+        self.listed += 1
 
     def line(self, style: str, within: Any = None) -> Any:
         """A new paragraph; its style is set by its id, which python-docx else looks up in ten times the time that all

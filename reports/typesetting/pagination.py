@@ -36,6 +36,13 @@ class Heading(Content):
 
 
 @dataclass(frozen=True, slots=True)
+class ListOfHeadings(Content):
+    """The contents: the headings of all that follows, down to level 2."""
+
+    title: str
+
+
+@dataclass(frozen=True, slots=True)
 class TextContent(Content):
     """A paragraph."""
 

@@ -3,9 +3,12 @@
 
 import io
 import re
+import xml.etree.ElementTree as ET
+import zipfile
 from typing import Any
 
 import pytest
+from pypdf import PdfReader
 from reportlab.pdfgen.canvas import Canvas
 
 from reports.blocks.title_block import made_with
@@ -18,6 +21,7 @@ from tests.reports.reading import V12, Solved, solved, squeezed
 docx = pytest.importorskip("docx", reason="needs the extra docx")
 pytest.importorskip("pypdfium2", reason="needs the extra docx")
 
+W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
 MATH = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
 
 
@@ -37,8 +41,13 @@ def text_of(file: Any) -> str:
 
 
 @pytest.fixture(scope="module")
-def engineer_docx(example: Solved) -> Any:
-    return opened(render(example))
+def engineer_file(example: Solved) -> bytes:
+    return render(example)
+
+
+@pytest.fixture(scope="module")
+def engineer_docx(engineer_file: bytes) -> Any:
+    return opened(engineer_file)
 
 
 def contents(made: Solved, depth: str = "engineer", lang: str = "en") -> list[Any]:
@@ -106,9 +115,46 @@ def test_it_says_that_it_is_no_record(example: Solved, engineer_docx: Any) -> No
     assert example.document.sha256 in foot and "The record is the PDF report" in foot
     about = engineer_docx.core_properties
     assert about.title == example.results.design.name and about.subject == "Calculation report" and about.author == ""
-    assert "attached to this document" not in text_of(engineer_docx) and "Contents" not in text_of(engineer_docx)
+    assert "attached to this document" not in text_of(engineer_docx)
     described = [shape._inline.docPr.get("descr") for shape in engineer_docx.inline_shapes]
     assert all(described) and any("Figure 2" in words for words in described)
+
+
+def test_the_contents_are_a_field_that_is_filled_and_leads_to_the_chapters_of_the_pdf(
+    engineer_file: bytes, engineer: bytes
+) -> None:
+    """Read as what it is, a file of XML: a field of all headings behind it, each with a link to its bookmark."""
+    with zipfile.ZipFile(io.BytesIO(engineer_file)) as file:
+        body = ET.fromstring(file.read("word/document.xml"))[0]
+        styles = {
+            e.get(f"{W}styleId"): e.find(f"{W}name").get(f"{W}val")
+            for e in ET.fromstring(file.read("word/styles.xml")).iter(f"{W}style")
+        }  # type: ignore[union-attr]
+
+    def style(paragraph: ET.Element) -> str:
+        found = paragraph.find(f"{W}pPr/{W}pStyle")
+        return styles[found.get(f"{W}val")] if found is not None else ""
+
+    ((at, whole),) = [(n, part) for n, part in enumerate(body) if part.tag == f"{W}sdt"]
+    title, *entries = whole.iter(f"{W}p")
+    assert style(title) == "TOC Heading" and "".join(title.itertext()) == "Contents"
+    marks = [mark.get(f"{W}fldCharType") for mark in whole.iter(f"{W}fldChar")]
+    (code,) = whole.iter(f"{W}instrText")
+    assert marks == ["begin", "separate", "end"] and str(code.text).split()[0] == "TOC"
+    links = [(link.get(f"{W}anchor"), "".join(link.itertext())) for link in whole.iter(f"{W}hyperlink")]
+    heads = [part for part in body[at + 1 :] if style(part) in ("heading 1", "heading 2")]
+    assert len(links) > 40 and [words for _, words in links] == ["".join(head.itertext()) for head in heads]
+    assert [name for name, _ in links] == [
+        next(b.get(f"{W}name") for b in head.iter(f"{W}bookmarkStart") if "Toc" in str(b.get(f"{W}name")))
+        for head in heads
+    ]
+    assert [style(entry)[-1] for entry in entries] == [style(head)[-1] for head in heads]
+    chapters = [words for entry, (_, words) in zip(entries, links) if style(entry) == "toc 1"]
+    assert ["Summary", *chapters] == [
+        part.title for part in PdfReader(io.BytesIO(engineer)).outline if not isinstance(part, list)
+    ]
+    starts, ends = ([mark.get(f"{W}id") for mark in body.iter(f"{W}bookmark{end}")] for end in ("Start", "End"))
+    assert sorted(starts) == sorted(ends) and len(set(starts)) == len(starts) == len(links) + 1
 
 
 def test_in_italian() -> None:
