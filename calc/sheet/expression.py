@@ -48,7 +48,7 @@ def digits_that_close(
             rounded_ones = {name: all_rounded(x, digits[name]) for name, x in given.items()}
             again = formula.function(**{**arguments, **rounded_ones})
             return isinstance(again, (int, float, complex)) and bool(_same(again / factor, target, wanted))
-        except (ValueError, ZeroDivisionError, OverflowError, TypeError):
+        except (ValueError, ArithmeticError, LookupError, TypeError):  # rounded, they may lie outside of a table
             return False
 
     for many in range(DIGITS, MOST + 1):
@@ -319,7 +319,7 @@ def digits_taken(places: Mapping[Line, tuple[int, ...] | None]) -> dict[Line, in
     while waiting:
         line = waiting.pop()
         arguments, value = _at_element(line, _place(line, places[line]))
-        if expression(line.formula) is None and not _of_numbers(arguments):
+        if expression(line.formula) is None and not _of_numbers(line):
             continue
         factor = _taken_unit(line.formula)[1] if line in needed else _result_unit(line.formula)[1]
         wanted = digits_that_close(line.formula, arguments, value, factor, needed.get(line, DIGITS))
@@ -332,11 +332,10 @@ def digits_taken(places: Mapping[Line, tuple[int, ...] | None]) -> dict[Line, in
     return needed
 
 
-def _of_numbers(arguments: Mapping[str, object]) -> bool:
+def _of_numbers(line: Line) -> bool:
     """Whether a few numbers are all that an algorithm takes."""
-    return 0 < len(arguments) <= FEW and all(
-        isinstance(x, (int, float)) and not isinstance(x, bool) for x in arguments.values()
-    )
+    given = line.arguments.values()
+    return 0 < len(given) <= FEW and all(isinstance(x, (int, float)) and not isinstance(x, bool) for x in given)
 
 
 def _at_element(line: Line, index: tuple[int, ...] | None) -> tuple[dict[str, object], object]:
@@ -400,7 +399,7 @@ def show(
     arguments, value = _at_element(line, index)
     tree = expression(formula)
     numbers, shows, texts = None, formula.shows, dict[str, str]()
-    if tree is not None or _of_numbers(arguments):
+    if tree is not None or _of_numbers(line):
         factor = (_taken_unit if taken else _result_unit)(formula)[1]
         known, digits = units(formula), digits_that_close(formula, arguments, value, factor, max(taken, DIGITS))
         texts = {

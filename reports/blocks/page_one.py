@@ -22,7 +22,6 @@ from ..typesetting.fonts import BOLD, WIDTH
 from ..typesetting.pagination import Block, TextContent, composed, heading, paragraph
 from ..typesetting.prose import BODY, CELL, SECTION, STRONG, Style, lines, one_line
 from ..typesetting.tables import Cell, Column, Row, table
-from ..typesetting.typeset import symbol
 from .checks import counted, name_of, not_given, shown_value
 from .title_block import title_blocks
 from .values import paired_table
@@ -35,6 +34,7 @@ LABEL = 78.0  # of the column that says what a line is about
 GAP = 5.0  # above a heading of this page
 LEFT = 3  # of what is not mended
 LONGEST = 500  # characters of purpose, of scope
+FEWEST = 8  # key results that are worth a place on the page
 MOST = 8  # failures, or what is not verified, by their causes: the others are counted
 
 
@@ -72,7 +72,8 @@ def mended(context: Context) -> Mended | None:
 
 
 def page_one(context: Context, repair: Mended | None) -> list[Block]:
-    """All of it; in a summary as many of its key results as there is room for."""
+    """All of it, with as many of its key results as there is room for; in an engineer's report all of them where that
+    is few."""
     w = context.words
     blocks = title_blocks(context)
     blocks += _purpose(context)
@@ -85,10 +86,15 @@ def page_one(context: Context, repair: Mended | None) -> list[Block]:
     for count in range(len(rows), 0, -1):
         whole = _headed(w["key_results"], paired_table(context, "", rows[:count]))
         if count < len(rows):
-            whole += paragraph(context.text("more_proposals", count=len(rows) - count), CELL, gap=1.0)
-        if context.depth != "summary" or len(composed(blocks + whole)) == 1:
+            key = "more_proposals" if context.depth == "summary" else "more_values"
+            whole += paragraph(context.text(key, count=len(rows) - count), CELL, gap=1.0)
+        if len(composed(blocks + whole)) == 1:
             return blocks + whole
-    return blocks
+        if context.depth != "summary" and count <= FEWEST:
+            break
+    if context.depth == "summary" or not rows:
+        return blocks
+    return blocks + _headed(w["key_results"], paired_table(context, "", rows))
 
 
 def _headed(title: str, blocks: list[Block]) -> list[Block]:
@@ -213,7 +219,6 @@ def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
         rows.append(
             (
                 name,
-                Cell(box=symbol(value.symbol, CELL.size)) if value.symbol else "",
                 context.written(value.shown, "") if struck is None else context.say(struck.words),
                 value.unit,
             )

@@ -131,11 +131,12 @@ def _single(context: Context, part: _Part) -> list[Block]:
 
 
 def paired_table(context: Context, title: str, rows: Sequence[tuple[str | Cell, ...]]) -> list[Block]:
-    """Quantities with symbol, value and unit, two beside each other: down the left half, then down the right."""
+    """Quantities with symbol, value and unit, or without symbol, two beside each other: down the left half, then down
+    the right."""
     if len(rows) < 2:
         return named_table(title, _paired(context, rows), rows)
     half = -(-len(rows) // 2)
-    both = [(*left, *right) for left, right in zip(rows[:half], [*rows[half:], ("",) * 4])]
+    both = [(*left, *right) for left, right in zip(rows[:half], [*rows[half:], ("",) * len(rows[0])])]
     head, *narrow = _paired(context, rows)
     return named_table(title, (head, *narrow, replace(head, before=GUTTER), *narrow), both)
 
@@ -145,6 +146,7 @@ def _paired(context: Context, rows: Sequence[tuple[str | Cell, ...]]) -> tuple[C
     called."""
     w = context.words
     narrow = [Column(w["symbol"]), Column(w["value"], "r", before=CLOSE), Column(w["unit"], before=CLOSE)]
+    narrow = narrow[4 - len(rows[0]) :]
     cells = [[cell if isinstance(cell, Cell) else Cell(cell) for cell in column] for column in list(zip(*rows))[1:]]
     narrow = [replace(column, width=min(_words_width(column, some), NUMBERS)) for column, some in zip(narrow, cells)]
     taken = sum((column.width or 0.0) + column.before for column in narrow)

@@ -51,7 +51,7 @@ def test_it_says_what_fails_what_it_takes_what_loads_and_what_is_not_known(examp
         ):
             assert squeezed(words) in page
         known = [*key_results(example.results.values()).values()]
-        assert sum(squeezed(str(value.label)) in page for value in known) > 0.75 * len(known)
+        assert sum(squeezed(str(value.label)) in page for value in known) > 0.9 * len(known)
         assert "_um" not in page and "_mPas" not in page, "no key of the file in a sentence"
 
 

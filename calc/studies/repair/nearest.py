@@ -29,7 +29,7 @@ from ...sheet.record import replace
 from ...sheet.remedy import Changes, assignments
 from ...sheet.search import Budget
 from ...sheet.step import Outcome
-from ...sheet.text import COMMA, Text
+from ...sheet.text import COMMA, SEMICOLON, Text
 from ...solve import Results
 from . import sizing, teeth
 from .levers import settled
@@ -69,7 +69,7 @@ class NearestRemedy:
 
     @property
     def words(self) -> Text:
-        return COMMA.join(self.each)
+        return SEMICOLON.join(self.each)
 
 
 @dataclass(frozen=True)

@@ -185,7 +185,7 @@ def test_a_named_constant_stands_as_its_number():
 
 
 def test_an_algorithm_is_shown_by_its_words():
-    assert line_text(only(looked_up, 8.0))[:2] == ("ε: ε from a table at S", "= 1")
+    assert line_text(only(looked_up, 8.0))[:2] == ("ε: ε from a table at S, at S = 8", "= 1")
 
 
 def test_where_the_source_text_is_not_at_hand_name_and_arguments_stand_for_it(monkeypatch):
