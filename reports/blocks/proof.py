@@ -48,7 +48,7 @@ MOST = {"limit": 9, "caution": 2}
 ALIKE = 3  # values of one symbol that are quoted
 FEW = 3  # elements of an array that are quoted one by one
 HELD = 4  # of one that holds, and of a value
-USED = 0.1  # of its limit: what holds and comes to less is proven in the audit alone
+USED = 0.1  # of its limit: what holds and comes to less has its lines in the audit
 LIMIT = 2  # formulas of a limit
 COORDINATES = ("z", "φ", "ξ")  # what a place along an array is named by
 
@@ -96,7 +96,7 @@ def proofs(context: Context, checks: Iterable[Check]) -> list[Proof]:
             open_ones.append(Proof(tuple(wanted), tuple(check for check in group if check not in wanted)))
         elif group[0].rule.proven is not None and group[0].kind in MOST and _asked(context, group[0].rule):
             least = min(group, key=lambda check: check.margin)
-            if not context.audit and (_share_used(least) or 1.0) < USED:
+            if (_share_used(least) or 1.0) < USED:
                 continue
             kept.append(Proof((least,), tuple(check for check in group if check is not least)))
     return sorted(open_ones, key=lambda proof: severity(proof.governing)) + kept
@@ -281,7 +281,7 @@ def _headline(context: Context, step: Step, proven: set[str], known: Known) -> l
     head = next(iter(heads), None)
     if head is None or head.id in proven or not head.shown or not (walk := value(context, head.id, known)).entries:
         return []
-    if not context.audit and len(walk.lines) == 1 and not walk.quoted:  # one formula of inputs, as the stroke
+    if len(walk.lines) == 1 and not walk.quoted:  # one formula of inputs, as the stroke
         return []
     title = f"{context.say(head.label)}: {context.written(head.shown, head.unit)}"
     blocks = [

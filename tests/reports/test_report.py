@@ -437,7 +437,8 @@ def test_a_proof_whose_formulas_do_not_give_the_number_says_so(engineer: bytes) 
     assert squeezed("from no one formula") in proof[:400]
 
 
-def test_what_uses_a_tenth_of_its_limit_is_proven_in_the_audit_alone(engineer: bytes, audit: bytes) -> None:
+def test_what_uses_less_than_a_tenth_of_its_limit_is_not_proven(engineer: bytes) -> None:
     title = r"3\.\d+" + squeezed("Couple that the balance quality grade permits")
-    assert not re.search(title, squeezed(text_of(engineer))) and re.search(title, squeezed(text_of(audit)))
+    assert not re.search(title, squeezed(text_of(engineer)))
+    assert re.search(title.replace("Couple", "Stress").partition("that")[0], squeezed(text_of(engineer)))
     assert "s = √((L + r)² − d²)" not in spoken(engineer), "a formula of inputs alone"
