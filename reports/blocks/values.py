@@ -24,6 +24,7 @@ from ..typesetting.typeset import symbol
 from .nomenclature import noted
 
 ACROSS = 7
+PART = 50.0  # width in which the name of a part stands above its numbers, on more lines where it is longer
 NUMBERS = 56.0  # most width of values in a table of two halves
 CLOSE = 4.0  # before values and units in such a table
 LEAST_WORDS = 60.0  # width that a column of words needs in a table of many
@@ -160,9 +161,7 @@ def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block
     for part in parts:
         for name, value in part.values.items():
             all_values.setdefault(name, value)
-    names = (Column(p.name, "r") for p in parts)
-    columns = (Column(w["quantity"]), Column(w["symbol"]), *names, Column(w["unit"], width=40.0))
-    rows: list[Row] = []
+    rows: list[tuple[str | Cell, ...]] = []
     for name, (value, cell) in zip(all_values, _named(context, all_values.values())):
         numbers = in_column(context, [p.values[name].shown if name in p.values else None for p in parts])
         cells = [number or "–" for number in numbers]
@@ -170,6 +169,13 @@ def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block
             zero.append(f"{cell.indexed} ({'; '.join(p.name for p in parts)})")
             continue
         rows.append((cell, _symbol(context, value), *cells, value.unit))
+    names = [Column(p.name, "r") for p in parts]
+    under = [[Cell(str(row[i])) for row in rows] for i in range(2, 2 + len(parts))]
+    narrow = [
+        replace(column, width=max(min(_one_line(column.header), PART), *(natural(cell, column) for cell in some)))
+        for column, some in zip(names, under)
+    ]
+    columns = (Column(w["quantity"]), Column(w["symbol"], width=44.0), *narrow, Column(w["unit"], width=40.0))
     return table(columns, rows, gap=6.0) if rows else []
 
 
