@@ -14,6 +14,7 @@ from calc.sheet.text import EMPTY
 from calc.studies.drawings import PAPER, WorkshopSheet, sheets, wheels
 
 from ..context import Context
+from ..figures.spoken import read_out
 from ..typesetting.boxes import BLACK, text
 from ..typesetting.fonts import LEFT, PLAIN
 from ..typesetting.pagination import Block, Picture, heading
@@ -35,11 +36,11 @@ CHORD = 0.02 * MM  # how far the pieces of an arc may stand off it
 def drawing_blocks(context: Context) -> list[Block]:
     """A page for each sheet of what the design draws."""
     drawn = sheets(context.original or context.results, context.say, context.document.data, context.sha256)
-    return [_block(sheet) for sheet in drawn]
+    return [_block(sheet, context.words["drawing"]) for sheet in drawn]
 
 
-def _block(sheet: WorkshopSheet) -> Block:
-    alt = "; ".join(mark.text for mark in sheet.marks if isinstance(mark, Words))
+def _block(sheet: WorkshopSheet, title: str) -> Block:
+    alt = f"{title}: {'; '.join(read_out(mark.text for mark in sheet.marks if isinstance(mark, Words)))}"
     return Block(0.0, lambda pen, _: _draw(pen, sheet), page=PAGE, content=Picture(), tag=Tag(FIGURE, alt=alt))
 
 

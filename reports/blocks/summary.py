@@ -63,7 +63,15 @@ def sketch_blocks(context: Context) -> list[Block]:
                 _draw(pen, primitive, scale, x - scale * left, middle - scale * (low + top) / 2)
             x += scale * (right - left) + BETWEEN
 
-    return [Block(scale * high + words + 4.0, draw, gap=8.0, content=Picture(), tag=Tag(FIGURE, alt="; ".join(names)))]
+    return [
+        Block(
+            scale * high + words + 4.0,
+            draw,
+            gap=8.0,
+            content=Picture(),
+            tag=Tag(FIGURE, alt=f"{names[0]}: {', '.join(names[1:])}"),
+        )
+    ]
 
 
 def _side_view(drawn: tuple[Primitive, ...]) -> list[Primitive]:

@@ -90,7 +90,7 @@ def _heading(context: Context) -> list[Block]:
             pen.put(line, 0.0, y - 11.0 - (n + 0.78) * TITLE.leading)
         if logo is not None:
             canvas, place = pen.canvas, (LEFT + WIDTH - wide, y - high, wide, high)
-            with pen.tagged(Tag(FIGURE, alt=logo.name)):
+            with pen.tagged(Tag(FIGURE, alt=f"{w['logo']}: {logo.name}")):
                 pen.figure(lambda: canvas.drawImage(logo.image, *place, mask="auto"))
 
     content = Heading(context.design.name, 0)

@@ -23,7 +23,8 @@ from ..typesetting.prose import STRONG, lines, run
 from ..typesetting.tags import CAPTION, FIGURE, Tag
 from .arrows import ARROW, head
 from .labels import Label, at_the_ends, at_the_point, draw_legend, legend, margin, placed
-from .plots import ALONE, HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers, plot
+from .plots import ALONE, HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, numbers, plot
+from .spoken import in_words
 from .tornado import Lying, lies
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ class Stack:
         self.legend: list[Any] = []  # of a figure beside it, of which there is none
         self.rows = 0
         self.title = f"{word} {number}. {curves[0].title}"
-        self.tag = Tag(FIGURE, alt=f"{self.title}. {'; '.join(in_words(curve, plots) for curve in curves)}")
+        self.tag = Tag(FIGURE, alt=f"{self.title}. {'. '.join(in_words(curve, plots.say) for curve in curves)}.")
         self.caption = lines(self.title, STRONG, WIDTH - LEFT_AXIS, 3)
         xs = np.concatenate([numbers(series.x) for curve in curves for series in curve.series])
         xs = xs[np.isfinite(xs)]
@@ -207,7 +208,7 @@ class _Figure:
 
     def __init__(self, number: str, curve: Curve, word: str, plots: Plots, width: float) -> None:
         self.title = f"{word} {number}. {curve.title}"
-        self.tag = Tag(FIGURE, alt=f"{self.title}. {in_words(curve, plots)}")
+        self.tag = Tag(FIGURE, alt=f"{self.title}. {in_words(curve, plots.say)}.")
         self.caption = lines(self.title, STRONG, width - LEFT_AXIS, 4)
         named = width == WIDTH and not (curve.equal or curve.bars or curve.variants) and len(curve.series) <= NAMED
         self.look = Look(at_the_ends, margin(curve, plots)) if named else ALONE

@@ -18,7 +18,7 @@ from matplotlib.ticker import FixedLocator, MaxNLocator
 from matplotlib.transforms import IdentityTransform
 
 from calc.locale import Language
-from calc.sheet.number import DUST, short
+from calc.sheet.number import short
 from calc.sheet.step import Curve, Series, line_of
 
 from ..typesetting.boxes import BLACK, Box, Colour
@@ -103,20 +103,6 @@ def series_label(curve: Curve, series: Series) -> str:
     return series.label if alone and series.label else ", ".join(x for x in (series.label, series.variant) if x)
 
 
-def in_words(curve: Curve, plots: Plots) -> str:
-    """What a figure shows, for whoever can not see it: its axes, every line with the least and the greatest of its
-    values, the limits."""
-    phrases = [f"{curve.x_label}; {curve.y_label}"]
-    phrases += [f"{load.label} {plots.short(load.size)} {curve.load_unit}" for load in curve.loads]
-    for series in curve.series:
-        seen = numbers(series.y)
-        seen = seen[np.isfinite(seen)]
-        seen = np.where(np.abs(seen) > DUST * np.abs(seen).max(initial=0.0), seen, 0.0)
-        reach = f"{plots.short(float(seen.min()))} … {plots.short(float(seen.max()))}" if seen.size else "–"
-        phrases.append(": ".join(filter(None, (series_label(curve, series), reach))))
-    return "; ".join([*phrases, *(f"{label} {plots.short(value)}" for label, value in limits(curve))])
-
-
 def limit_words(curve: Curve, plots: Plots) -> list[str]:
     """The limits with their values."""
     return [f"{label} {plots.short(value)} {y_unit(curve)}".strip() for label, value in limits(curve)]
@@ -149,7 +135,7 @@ class Plots:
 
     def __init__(self, say: Language) -> None:
         self.made: dict[tuple[float, float, float, bool, bool], Any] = {}
-        self.number = say.number
+        self.say, self.number = say, say.number
 
     def short(self, value: float) -> str:
         return self.number(short(value))

@@ -43,6 +43,7 @@ from ..typesetting.pagination import Block, Picture
 from ..typesetting.prose import NOTE, STRONG, Style, lines, one_line
 from ..typesetting.tags import CAPTION, FIGURE, Tag
 from .labels import FREE, Label, placed
+from .spoken import read_out, with_state
 
 if TYPE_CHECKING:
     from ..typesetting.pen import Pen
@@ -149,7 +150,7 @@ def _rows(pictures: list[_Picture], caption: str, abreast: int) -> Block:
                 pen.put(line, 0.0, y + APART - 5.0 - (i + 0.78) * STRONG.leading)
 
     below = len(under) * STRONG.leading
-    tag = Tag(FIGURE, alt="; ".join([caption, *(words for picture in pictures for words in picture.words)]))
+    tag = Tag(FIGURE, alt=f"{caption}. {' '.join(filter(None, (picture.told for picture in pictures)))}".strip())
     high = sum(row.height for row in rows) + APART * (len(rows) - 1) + 5.0 + below
     return Block(high, draw, gap=6.0, content=Picture((caption,), below), tag=tag)
 
@@ -162,11 +163,8 @@ class _Picture:
         self.marks, self.of_all = sketch.primitives, sketch.of_all
         self.left, self.low, self.right, self.top = sketch.box
         self.labels = list(_labels(sketch, say))
-        self.words = [
-            f"{SIGNS[mark.state] if mark.state else ''} {say(mark.text)}".strip()
-            for mark in self.marks
-            if isinstance(mark, Words)
-        ]
+        words = read_out(with_state(say(mark.text), mark.state, say) for mark in self.marks if isinstance(mark, Words))
+        self.told = f"{': '.join(filter(None, (self.title, ', '.join(words))))}." if words else ""
 
     def scale(self, high: float) -> float:
         """Points of the page for a unit of the picture, so that it and its words are no higher than this, and no wider

@@ -5,15 +5,20 @@ import io
 import re
 from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
 from pypdf import PdfReader
 
+from calc.locale import language
 from calc.sheet.step import Curve, Series, Turning
+from calc.sheet.text import Text
 from reports.figures.arrows import ARROW, LEAST, arrows
 from reports.figures.plots import BARS, bar_colour, line_style, series_label, series_style
+from reports.figures.spoken import in_words, read_out
 from tests.languages.texts import judge_english
+from tests.reports.archive_rules import elements
 from tests.reports.reading import V12, Shape, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
 
 ORDERS = np.arange(1, 9)
@@ -225,3 +230,26 @@ def test_lines_of_a_stack_are_named_by_a_sample_of_each(relazione: bytes) -> Non
     assert len(name) == 1 and all(
         any(s.page == name[0].page and abs(s.y - name[0].y) < 0.1 for s in found) for found in labels
     )
+
+
+def test_a_figure_is_told_as_a_person_would(engineer: bytes) -> None:
+    """Where a line is largest and smallest, in units and not in symbols; of a sketch no lone numbers and signs."""
+    told = [str(e["/Alt"]) for e in elements(PdfReader(io.BytesIO(engineer))) if e["/S"] == "/Figure"]
+    (film,) = [words for words in told if words.startswith("Figure 10. ")]
+    assert "Over speed: mid-bearing is largest, 16.88 µm, at 1251 rpm, and smallest, 9.979 µm, at 2497 rpm" in film
+    assert "the limit Kreisle is 9 µm" in film and "h_0" not in film
+    assert all("✗" not in words and "▲" not in words and "…;" not in words for words in told)
+    assert any("7.4 of 9 µm (fails)" in words for words in told)
+    assert read_out(["1", "1", "A", "bare 1150", "210°", "bare 1150", "6 µm"]) == ["bare 1150", "6 µm"]
+
+
+def test_values_throughout_marks_and_loci_are_told_as_such() -> None:
+    def told(x: list[float], y: list[float], **kind: Any) -> str:
+        series = (Series(Text("it"), np.array(x), np.array(y)),)
+        return in_words(Curve("", Text(), Text("speed, rpm"), Text("P, W"), series, **kind), language("en"))
+
+    assert told([1, 2, 3], [5, 5, 5 + 1e-12]) == "Over speed: it is 5 W throughout"
+    assert told([2, 2], [0, 7]) == "Over speed: it is marked at 2 rpm"
+    assert told([0, 4], [1e-13, 2], equal=True) == "it reaches from 0 rpm to 4 rpm across and from 0 W to 2 W upwards"
+    assert told([1, 2], [-9, 2], names=(Text("oil"), Text("load"))) == "it goes furthest at oil, by −9 W"
+    assert told([1, 2], [0, 3], limits=((Text("of heat"), 4.0),)).endswith("at 1 rpm; the limit of heat is 4 W")

@@ -17,7 +17,7 @@ from calc.sheet.number import short
 from calc.sheet.step import Curve, Series
 from calc.sheet.text import Text
 from calc.sheet.value import Line
-from reports.figures.plots import Plots, in_words
+from reports.figures.spoken import in_words
 from reports.typesetting.pen import _path
 from tests.reports.reading import EXAMPLE, ROOT, Solved
 
@@ -110,4 +110,4 @@ def test_halves_ties_and_noise_are_not_told_by_the_last_digits() -> None:
     curve = Curve(
         "", Text(), Text("z"), Text("M, N·m"), (Series(Text("M"), np.arange(3.0), np.array([2.3e-10, 263.0, -2e-11])),)
     )
-    assert "0 … 263" in in_words(curve, Plots(language("en")))
+    assert "largest, 263 N·m, at 1, and smallest, 0 N·m, at 0" in in_words(curve, language("en"))
