@@ -210,9 +210,9 @@ class Context:
     figures: int = 0
     chapter: str = ""  # key of the step whose chapter is being made
     ranges: set[str] = field(default_factory=set)  # chapters that say how a long list of numbers is written
-    symbols: dict[tuple[str, str], Symbol] = field(default_factory=dict)  # of each chapter, as they are set
+    symbols: dict[tuple[str, str, str], Symbol] = field(default_factory=dict)  # of each chapter, as they are set
     # chapter and symbol → what the value or input is called
-    labels: dict[tuple[str, str], str] = field(default_factory=dict)
+    labels: dict[tuple[str, str], list[tuple[str, str]]] = field(default_factory=dict)
     # source, as the formula or check has it → titles of the steps that use it
     sources: dict[str, list[str]] = field(default_factory=dict)
     cited: set[str] = field(default_factory=set)  # those of what stands in the report

@@ -32,7 +32,16 @@ TABLE_4_1 = Text("Finotti 2013, 4.1 (with ω², not ω as printed there)")
 MASSES = {"m": "m_i", "e": "e_i", "z": "z_i", "gamma": "φ_i"}
 
 
-@formula("F_S", TABLE_4_1, names=MASSES | {"omega": "ω_S"})
+@formula(
+    "F_S",
+    TABLE_4_1,
+    names=MASSES | {"omega": "ω_S"},
+    meanings={
+        "m": "Eccentric masses",
+        "e": "Radii of the centres of gravity",
+        "gamma": "Directions of the eccentric masses",
+    },
+)
 def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     """The rotating force that the shaft puts on its supports: what its masses do not balance statically."""
     return omega**2 * resultant(m * e * cis(gamma))
@@ -57,7 +66,17 @@ def widest(d: Metre, c_R: Metre) -> Metre:
     return d / 2 - c_R
 
 
-@formula("C_S", TABLE_4_1, names=MASSES | {"omega": "ω_S"})
+@formula(
+    "C_S",
+    TABLE_4_1,
+    names=MASSES | {"omega": "ω_S"},
+    meanings={
+        "m": "Eccentric masses",
+        "e": "Radii of the centres of gravity",
+        "z": "Places of the eccentric masses",
+        "gamma": "Directions of the eccentric masses",
+    },
+)
 def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
     return omega**2 * resultant(m * e * z * cis(gamma))
 
@@ -348,7 +367,13 @@ def reaction_peak(R: Newton, R_0: Newton) -> Newton:
 # --- the support
 
 
-@formula("w", "Finotti 2013, 4.2: the support's outside stays, its seat grows", unit="mm", names={"w": "w_w"})
+@formula(
+    "w",
+    "Finotti 2013, 4.2: the support's outside stays, its seat grows",
+    unit="mm",
+    names={"w": "w_w"},
+    meanings={"return": "Wall of the support beside the bearing"},
+)
 def wall_beside(w: Metre, d: Metre, D_w: Metre) -> Metre:
     return w - (d - D_w) / 2
 

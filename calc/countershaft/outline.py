@@ -110,12 +110,17 @@ def sector_inertia(R: Metre, r_0: Metre, gamma: Radian, A_tot: SquareMetre, y: M
     return (R**4 - r_0**4) / 4 * (gamma + sin(gamma) * cos(gamma)) + pi * r_0**4 / 4 - A_tot * y**2
 
 
-@formula("A", "geometry: full cylinder", unit="mm²")
+@formula(
+    "A",
+    "geometry: full cylinder",
+    unit="mm²",
+    meanings={"R": "Radius of the cylinder", "return": "Area of a full cylinder"},
+)
 def cylinder_area(R: Metre) -> SquareMetre:
     return pi * R**2
 
 
-@formula("I", "geometry: second moment of a full cylinder", unit="mm⁴")
+@formula("I", "geometry: second moment of a full cylinder", unit="mm⁴", meanings={"R": "Radius of the cylinder"})
 def cylinder_inertia(R: Metre) -> Metre4:
     return pi * R**4 / 4
 
@@ -290,7 +295,12 @@ class NoOutline(Exception):
         self.reason, self.broken = reason, broken
 
 
-@formula("m_S", "mathematics: sum over the pieces of the shaft", unit="kg")
+@formula(
+    "m_S",
+    "mathematics: sum over the pieces of the shaft",
+    unit="kg",
+    meanings={"rho": "Density", "A": "Areas of the pieces"},
+)
 def pieces_mass(rho: KilogramPerMetre3, A: SquareMetres, l: Metres) -> Kilogram:
     return rho * resultant(A * l)
 
@@ -366,7 +376,13 @@ def rear_face(z: Metre, b: Metre) -> Metre:
     return z + b / 2
 
 
-@formula("l", "geometry: length of each piece of the shaft", unit="mm", names={"z_1": "z_a", "z_2": "z_b"})
+@formula(
+    "l",
+    "geometry: length of each piece of the shaft",
+    unit="mm",
+    names={"z_1": "z_a", "z_2": "z_b"},
+    meanings={"z_1": "Front ends of the pieces", "z_2": "Rear ends of the pieces"},
+)
 def lengths(z_1: Metre, z_2: Metre) -> Metre:
     return z_2 - z_1
 

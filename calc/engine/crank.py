@@ -110,7 +110,12 @@ def tdc_angles(d: Metres, r: Metres, L: Metre) -> Radians:
     return np.arcsin(d / (L + r))
 
 
-@formula("i", "definition: how many cylinders fire before each", shows="i of each cylinder, from the firing order")
+@formula(
+    "i",
+    "definition: how many cylinders fire before each",
+    shows="i of each cylinder, from the firing order",
+    meanings={"return": "Places in the firing order"},
+)
 def places_in_order(order: Places) -> Places:
     """The place of cylinders 1, 2 … in the firing order, from 0."""
     return np.argsort(order)
@@ -120,6 +125,7 @@ def places_in_order(order: Places) -> Places:
     "z",
     "definition: equal pitch, counted from mid-engine towards the flywheel",
     shows="z from the cylinders' places times the pitch a",
+    meanings={"return": "Places of the cylinders"},
 )
 def axial_positions(k: Places, a: Metre) -> Metres:
     z: Array = (k - (k.min() + k.max()) / 2) * a

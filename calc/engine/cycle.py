@@ -73,7 +73,13 @@ def clearance_height(s: Metre, eps_c: Number) -> Metre:
     return s / (eps_c - 1)
 
 
-@formula("p_c", Text("{seiliger}: end of compression", seiliger=SEILIGER), unit="bar", names={"eps_c": "ε_c"})
+@formula(
+    "p_c",
+    Text("{seiliger}: end of compression", seiliger=SEILIGER),
+    unit="bar",
+    names={"eps_c": "ε_c"},
+    meanings={"n_c": "Exponent of the compression"},
+)
 def compression_end(p_in: Pascal, eps_c: Number, n_c: Number) -> Pascal:
     return p_in * power(eps_c, n_c)
 

@@ -169,6 +169,7 @@ def amplitude(sigma: Pascal, tau: Pascal) -> Pascal:
     "statics: bending and torsion by von Mises; pressure counts as none",
     shows="√(σ_m² + 3·τ_m²) there",
     unit="MPa",
+    meanings={"return": "Mean stress, by von Mises"},
 )
 def mean(sigma: Pascal, tau: Pascal) -> Pascal:
     return sqrt(sigma**2 + 3 * tau**2)

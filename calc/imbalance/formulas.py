@@ -40,7 +40,12 @@ ONE_TOOTH = "mathematics, exact difference of two vectors one tooth of the shaft
 FORCES, COUPLES = {"F_f": "F⁺", "F_b": "F⁻"}, {"C_f": "C⁺", "C_b": "C⁻"}
 
 
-@formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS), names={"m": "M_alt"})
+@formula(
+    "F_n⁺",
+    Text("{vectors}: force of an order that turns forward", vectors=VECTORS),
+    names={"m": "M_alt"},
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+)
 def force_forward(
     omega: RadPerSecond,
     m: Kilogram,
@@ -54,7 +59,12 @@ def force_forward(
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS), names={"m": "M_alt"})
+@formula(
+    "F_n⁻",
+    Text("{vectors}: force of an order that turns backward", vectors=VECTORS),
+    names={"m": "M_alt"},
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+)
 def force_backward(
     omega: RadPerSecond,
     m: Kilogram,
@@ -68,7 +78,12 @@ def force_backward(
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS), names={"m": "M_alt"})
+@formula(
+    "C_n⁺",
+    Text("{vectors}: couple of an order that turns forward", vectors=VECTORS),
+    names={"m": "M_alt"},
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+)
 def couple_forward(
     omega: RadPerSecond,
     m: Kilogram,
@@ -83,7 +98,12 @@ def couple_forward(
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(z * cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS), names={"m": "M_alt"})
+@formula(
+    "C_n⁻",
+    Text("{vectors}: couple of an order that turns backward", vectors=VECTORS),
+    names={"m": "M_alt"},
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+)
 def couple_backward(
     omega: RadPerSecond,
     m: Kilogram,
@@ -98,7 +118,12 @@ def couple_backward(
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(z * cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("F_κ", SHARE, names={"m": "M_alt"})
+@formula(
+    "F_κ",
+    SHARE,
+    names={"m": "M_alt"},
+    meanings={"return": "Force of the counterweights that carry the share κ of the reciprocating masses"},
+)
 def counterweight_force(
     kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radians
 ) -> PhasorNewton:
@@ -147,6 +172,10 @@ def with_rotating_couple(C_1: PhasorNewtonMetre, C_rot: PhasorNewtonMetre) -> Ph
     "mathematics: force of order 1 that turns forward, with the counterweights; they change neither F_1⁻ nor a higher "
     "order",
     names={"F_1": "F_1⁺"},
+    meanings={
+        "F_1": "Force of order 1 that turns forward",
+        "return": "Force of order 1 that turns forward, with the counterweights",
+    },
 )
 def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
     return joined(F_1, F_kappa)
@@ -157,6 +186,10 @@ def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
     "mathematics: couple of order 1 that turns forward, with the counterweights; they change neither C_1⁻ nor a "
     "higher order",
     names={"C_1": "C_1⁺"},
+    meanings={
+        "C_1": "Couple of order 1 that turns forward",
+        "return": "Couple of order 1 that turns forward, with the counterweights",
+    },
 )
 def remaining_couple(C_1: PhasorNewtonMetre, C_kappa: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_1, C_kappa)
@@ -213,7 +246,10 @@ def couple_axis(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> Radian:
 
 
 @formula(
-    "C_S", "Finotti 2013, 2.5.3.3: the shaft opposes the backward couple of the first order", names={"C_b": "C_1⁻"}
+    "C_S",
+    "Finotti 2013, 2.5.3.3: the shaft opposes the backward couple of the first order",
+    names={"C_b": "C_1⁻"},
+    meanings={"return": "Couple that the counter-shaft must supply"},
 )
 def required_couple(C_b: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return -C_b
@@ -270,7 +306,12 @@ def couple_per_tooth(C_S: NewtonMetre, z: Number) -> NewtonMetre:
     return 2 * C_S * sin(pi / z)
 
 
-@formula("F_S", "Finotti 2013, 2.3.3: the shaft opposes the backward force of the first order", names={"F_b": "F_1⁻"})
+@formula(
+    "F_S",
+    "Finotti 2013, 2.3.3: the shaft opposes the backward force of the first order",
+    names={"F_b": "F_1⁻"},
+    meanings={"return": "Force that the counter-shaft must supply"},
+)
 def required_force(F_b: PhasorNewton) -> PhasorNewton:
     return -F_b
 

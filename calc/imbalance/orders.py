@@ -72,7 +72,11 @@ def measures(engine: EngineInputs, e: EngineResult) -> tuple[Metre, Number]:
     return based_on(float(np.mean(r)), r), based_on(float(np.mean(lam)), lam)
 
 
-@formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS))
+@formula(
+    "F_n⁺",
+    Text("{vectors}: force of an order that turns forward", vectors=VECTORS),
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+)
 def force_forward(
     omega: RadPerSecond,
     m: Kilogram,
@@ -86,7 +90,11 @@ def force_forward(
     return 0.5 * omega**2 * cis(n * theta_0) * resultant(m * r * c_n * cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS))
+@formula(
+    "F_n⁻",
+    Text("{vectors}: force of an order that turns backward", vectors=VECTORS),
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+)
 def force_backward(
     omega: RadPerSecond,
     m: Kilogram,
@@ -100,7 +108,11 @@ def force_backward(
     return 0.5 * omega**2 * cis(-n * theta_0) * resultant(m * r * conj(c_n) * cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS))
+@formula(
+    "C_n⁺",
+    Text("{vectors}: couple of an order that turns forward", vectors=VECTORS),
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+)
 def couple_forward(
     omega: RadPerSecond,
     m: Kilogram,
@@ -115,7 +127,11 @@ def couple_forward(
     return 0.5 * omega**2 * cis(n * theta_0) * resultant(m * r * c_n * z * cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS))
+@formula(
+    "C_n⁻",
+    Text("{vectors}: couple of an order that turns backward", vectors=VECTORS),
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+)
 def couple_backward(
     omega: RadPerSecond,
     m: Kilogram,

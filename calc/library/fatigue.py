@@ -46,6 +46,7 @@ KINDS = {
         fkm=FKM,
     ),
     unit="MPa",
+    meanings={"R_m": "Tensile strength", "return": "Alternating strength"},
 )
 def alternating_strength(f_W: Number, R_m: Pascal) -> Pascal:
     """>>> alternating_strength(f_W=0.40, R_m=1026e6)
@@ -54,7 +55,18 @@ def alternating_strength(f_W: Number, R_m: Pascal) -> Pascal:
     return f_W * R_m
 
 
-@formula("K_R", Text("{fkm}: roughness", fkm=FKM), names={"R_z": "R_z/µm"})
+@formula(
+    "K_R",
+    Text("{fkm}: roughness", fkm=FKM),
+    names={"R_z": "R_z/µm"},
+    meanings={
+        "a_R": "Constant of the roughness factor",
+        "R_z": "Roughness Rz in µm",
+        "R_m": "Tensile strength",
+        "R_N": "Least tensile strength of the group of materials",
+        "return": "Roughness factor",
+    },
+)
 def roughness_factor(a_R: Number, R_z: Number, R_m: Pascal, R_N: Pascal) -> Number:
     """>>> roughness_factor(a_R=0.22, R_z=6.3, R_m=1026e6, R_N=400e6)
     0.8751...
@@ -80,6 +92,7 @@ def bearable(K_R: Number, sigma_W: Pascal) -> Pascal:
     Text("{fkm}: alternating stress as hard as amplitude and mean together", fkm=FKM),
     unit="MPa",
     names={"M": "M_σ"},
+    meanings={"sigma_m": "Mean stress"},
 )
 def equivalent_amplitude(sigma_a: Pascal, sigma_m: Pascal, M: Number) -> Pascal:
     """`sigma_m` is not below zero: a mean pressure is given no credit.  The second line holds from a mean as large as
@@ -91,6 +104,7 @@ def equivalent_amplitude(sigma_a: Pascal, sigma_m: Pascal, M: Number) -> Pascal:
     "σ_a",
     "rule of this program: every run-up from standstill is a cycle: amplitude and mean are half of the stress",
     unit="MPa",
+    meanings={"return": "Stress amplitude of a run-up"},
 )
 def run_up_amplitude(sigma_k: Pascal) -> Pascal:
     return sigma_k / 2
@@ -133,12 +147,20 @@ FIT = (0.1, 20.0)  # of t/r
 BRANCH = 2.0  # of t/r, where the second fit begins
 
 
-@formula("ξ", "definition, t/r: height of the shoulder over the radius of its fillet")
+@formula(
+    "ξ",
+    "definition, t/r: height of the shoulder over the radius of its fillet",
+    meanings={"D": "Larger diameter at the shoulder", "d": "Smaller diameter at the shoulder"},
+)
 def step_over_fillet(D: Metre, d: Metre, r: Metre) -> Number:
     return (D - d) / (2 * r)
 
 
-@formula("ζ", "definition, 2·t/D: height of the shoulder over the larger radius")
+@formula(
+    "ζ",
+    "definition, 2·t/D: height of the shoulder over the larger radius",
+    meanings={"D": "Larger diameter at the shoulder", "d": "Smaller diameter at the shoulder"},
+)
 def relative_step(D: Metre, d: Metre) -> Number:
     return (D - d) / D
 

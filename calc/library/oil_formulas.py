@@ -46,6 +46,7 @@ FLATTEST, STEEPEST = (1.0, 6.0)
     "there, 0.7 in ASTM D341",
     unit="mm²/s",
     names={"T": "T_oil", "c": "c_ν"},
+    meanings={"c": "Constant of the viscosity line"},
 )
 def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> SquareMetrePerSecond:
     """>>> kinematic_viscosity(C_2=7.882, C_1=-3.039, T=120.9, c=0.6)
@@ -58,6 +59,7 @@ def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> Squa
     "ρ",
     "linear in temperature; reproduces the densities of Finotti 2013, 5.5.3, to their last digit",
     names={"T": "T_oil"},
+    meanings={"rho_15": "Density at 15 °C"},
 )
 def density(rho_15: KilogramPerMetre3, T: Celsius) -> KilogramPerMetre3:
     """>>> density(rho_15=860, T=120.9)
@@ -136,6 +138,11 @@ def not_rising(beta: PerKelvin) -> PerKelvin:
     "C_1",
     "mathematics: slope of the viscosity line through the points at 40 and 100 °C",
     names={"nu_40": "ν_40", "nu_100": "ν_100", "c": "c_ν"},
+    meanings={
+        "nu_40": "Kinematic viscosity at 40 °C",
+        "nu_100": "Kinematic viscosity at 100 °C",
+        "c": "Constant of the viscosity line",
+    },
 )
 def viscosity_slope(nu_100: SquareMetrePerSecond, nu_40: SquareMetrePerSecond, c: Number) -> Number:
     return (log10(log10(nu_100 / CENTISTOKE + c)) - log10(log10(nu_40 / CENTISTOKE + c))) / (
@@ -147,6 +154,7 @@ def viscosity_slope(nu_100: SquareMetrePerSecond, nu_40: SquareMetrePerSecond, c
     "C_2",
     "mathematics: intercept of the viscosity line through the point at 40 °C",
     names={"nu_40": "ν_40", "c": "c_ν"},
+    meanings={"nu_40": "Kinematic viscosity at 40 °C", "c": "Constant of the viscosity line"},
 )
 def viscosity_intercept(nu_40: SquareMetrePerSecond, c: Number, C_1: Number) -> Number:
     return log10(log10(nu_40 / CENTISTOKE + c)) - C_1 * log10(313.15)

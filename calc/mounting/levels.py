@@ -109,17 +109,29 @@ def deflection_peak(delta: Metre) -> Metre:
     "definition of the transmissibility: what the mounts pass on about the centre of gravity over what drives the "
     "engine",
     names={"M": "M̂_G"},
+    meanings={"M_t": "Moment that the mounts pass on"},
 )
 def moment_transmissibility(M_t: NewtonMetre, M: NewtonMetre) -> Number:
     return M_t / M
 
 
-@formula("T_F", "definition of the transmissibility: what the mounts pass on over what drives the engine")
+@formula(
+    "T_F",
+    "definition of the transmissibility: what the mounts pass on over what drives the engine",
+    meanings={"F_t": "Force that the mounts pass on"},
+)
 def force_transmissibility(F_t: Newton, F: Newton) -> Number:
     return F_t / F
 
 
-@formula("q_S", "definition: level with half on the crank over that with the shaft")
+@formula(
+    "q_S",
+    "definition: level with half on the crank over that with the shaft",
+    meanings={
+        "half": "Level with half of the reciprocating masses on the crank",
+        "shaft": "Level with the counter-shaft",
+    },
+)
 def felt_ratio(half: Number, shaft: Number) -> Number:
     return half / shaft
 

@@ -59,9 +59,10 @@ class Formula(Generic[P, R]):
         unit: str,
         governs: str,
         names: dict[str, str],
+        meanings: dict[str, str],
     ) -> None:
         self.function, self.symbol, self._source, self._shows = function, symbol, source, shows
-        self.unit, self.governs, self.names = unit, governs, names
+        self.unit, self.governs, self.names, self._meanings = unit, governs, names, meanings
         code = function.__code__
         self.parameters = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
         self.__wrapped__ = function  # what inspect.signature and doctest follow
@@ -74,6 +75,10 @@ class Formula(Generic[P, R]):
     @property
     def shows(self) -> Text:
         return Text(self._shows)
+
+    @property
+    def meanings(self) -> dict[str, Text]:
+        return {name: Text(words) for name, words in self._meanings.items()}
 
     # What its annotations do not allow: with arrays in place of numbers a formula gives an array; with plain numbers
     # (a name is misspelt, one is missing) nothing that anybody could use.
@@ -170,17 +175,20 @@ def formula(
     unit: str = "",
     governs: str = "max",
     names: dict[str, str] | None = None,
+    meanings: dict[str, str] | None = None,
 ) -> Callable[[Callable[P, R]], Formula[P, R]]:
     """Make a function a formula.  Raises ValueError at import where symbol or source is missing.
 
     `names` gives a parameter another symbol than its own name (`{"eps": "ε"}` is not needed: Greek names are known).
+    `meanings` says what a parameter is that is neither an input nor what another formula gives, a number of a table,
+    and under "return" what the formula gives, where its source says something else of it.
     """
     if not symbol.strip() or len(source.strip()) < 8:
         needs = "a formula needs a symbol and a source (author or standard, year, clause)"
         raise ValueError(f"formula {symbol!r}: {needs}")
 
     def decorate(function: "Callable[P, R]") -> "Formula[P, R]":  # as words: a thousand times evaluated they take 5 ms
-        decorated = Formula(function, symbol, source, shows, unit, governs, names or {})
+        decorated = Formula(function, symbol, source, shows, unit, governs, names or {}, meanings or {})
         FORMULAS[f"{function.__module__}.{function.__name__}"] = decorated
         return decorated
 

@@ -6,13 +6,15 @@ Symbols are noted as they are set, in formulas, tables of values and inputs; not
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from itertools import takewhile
 from math import isclose
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import quantities, quantity_of, step_at, value_at
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import result, symbol, symbol_of
+from calc.sheet.formula import units
 from calc.sheet.quantity import Quantity
 from calc.sheet.text import Text
 from calc.sheet.value import Line, leaves, link_of
@@ -120,7 +122,7 @@ BY_NAME: dict[str, Text] = {
     "sheared_share": Text("Sheared share of the gap"), "shortest_interval": Text("Shortest firing interval"),
     "shoulder_moment": Text("Bending moment at the shoulder"), "side_flow_din": Text("Side flow"),
     "side_flow_factor": Text("Factor of the side flow"), "side_flow_share": Text("Share of the side flow"),
-    "slide_to_roll": Text("Slide-to-roll ratio"), "slopes": Text("Slopes of the journals"),
+    "slide_to_roll": Text("Slide-to-roll ratio"), "slopes": Text("Slope of the journal"),
     "solid_share_by_square": Text("Share of the load on the roughness"), "sommerfeld": Text("Sommerfeld number"),
     "specific_heat": Text("Specific heat"), "stiffness_xx": Text("Dimensionless stiffness, along the load"),
     "stiffness_xy": Text("Dimensionless stiffness, coupled"), "stiffness_yx": Text("Dimensionless stiffness, coupled"),
@@ -151,39 +153,56 @@ PREPOSITION = 3  # letters at most
 
 def noted(context: Context, name: str, label: str, unit: str) -> str:
     """Note a symbol of a table, which says what it means; the engineer's report has only those of formulas."""
-    return _noted(context, name, label, unit) if context.audit else ""
+    if not context.audit:
+        return ""
+    return _noted(context, name, _in_common_of(label, _labels(context).get((context.chapter, name), [])), unit)
 
 
 def _noted(context: Context, name: str, meaning: str, unit: str) -> str:
-    """Note a symbol of the chapter at hand; gives the name under which its page is found."""
+    """Note a symbol of the chapter at hand; gives the name under which its page is found.  What has another meaning, or
+    another unit, is another one."""
     if not name or not context.chapter:
         return ""
-    return context.symbols.setdefault((context.chapter, name), Symbol(context.chapter, name, meaning, unit)).indexed
+    key = (context.chapter, name, meaning.casefold())
+    return context.symbols.setdefault(key, Symbol(context.chapter, name, meaning, unit)).indexed
 
 
-def noted_line(context: Context, line: Line) -> str:
-    """Note the symbols of a formula: that of its result, and those in it whose origin is known."""
-    names = [_noted(context, symbol_of(line), *_meaning(context, line))]
+def noted_line(context: Context, line: Line, name: str, put_in: Mapping[str, str]) -> str:
+    """Note the symbols of a formula as they are set: that of its result, and those in it; `put_in`: the symbols of
+    values that stand there in place of its own."""
+    names = [_noted(context, name, *_meaning(context, line))]
     formula = line.formula
+    known, declared = units(formula), formula.meanings
     for parameter, value in line.arguments.items() if not formula.shows else ():
-        written = formula.names.get(parameter) or symbol(parameter)
-        known = context.symbols.get((context.chapter, written))
-        if known is not None:
-            names.append(known.indexed)
-        elif (origin := _origin(context, written, value)) is not None:
-            names.append(_noted(context, written, *origin))
+        own = formula.names.get(parameter) or symbol(parameter)
+        if parameter in declared:
+            names.append(
+                _noted(context, put_in.get(own, own), context.say(declared[parameter]), known.get(parameter, ""))
+            )
+        elif (origin := _origin(context, own, value)) is not None:
+            names.append(_noted(context, put_in.get(own, own), *origin))
     return BETWEEN.join(filter(None, dict.fromkeys(names)))
 
 
+def noted_result(context: Context, line: Line) -> str:
+    """Note the symbol of a line that is quoted by its value."""
+    return _noted(context, symbol_of(line), *_meaning(context, line))
+
+
 def _meaning(context: Context, line: Line) -> tuple[str, str]:
-    """What a line gives: the value of this symbol, or what its source says that it is; and its unit."""
-    name, unit = symbol_of(line), result(line)[1]
-    if label := _labels(context).get((context.chapter, name)):
-        return label, unit
-    if (id := context.chains.value_of.get(line)) is not None and context.values[id].symbol == name:
-        return context.say(context.values[id].label), unit
+    """What a line gives: what the values of its formula are called, or what its source says that it is; and its
+    unit."""
+    unit, meanings = result(line)[1], line.formula.meanings
+    if "return" in meanings:
+        return context.say(meanings["return"]), unit
+    if called := _labels(context).get((_name(line), symbol_of(line))):
+        return _in_common_of(called[0][1], called), unit
     _, _, description = context.say(line.formula.source).partition(": ")
     return _short(description) if description else context.say(BY_NAME[line.formula.__name__]), unit
+
+
+def _name(line: Line) -> str:
+    return f"{line.formula.function.__module__}.{line.formula.__name__}"
 
 
 def _short(words: str) -> str:
@@ -195,43 +214,64 @@ def _short(words: str) -> str:
 
 
 def _origin(context: Context, name: str, value: object) -> tuple[str, str] | None:
-    """What an argument is, where it comes from one line or one input."""
+    """What an argument is, where it comes from lines of one formula, or from inputs of one name."""
     origins = leaves(link_of(value))
-    if len(origins) != 1:
-        return None
-    if isinstance(origins[0], Line):
-        return _meaning(context, origins[0])
+    lines, keys = [x for x in origins if isinstance(x, Line)], [x for x in origins if isinstance(x, str)]
+    if lines and not keys and len({(_name(line), symbol_of(line)) for line in lines}) == 1:
+        return _meaning(context, lines[0])
     try:
-        about = quantity_of(context.document.data, origins[0])
+        inputs = [quantity_of(context.document.data, key) for key in keys]
     except BadInput:
         return None
-    here = step_at(context.document.data, origins[0]) == context.chapter
-    own_key = here and about.symbol and symbol(about.symbol) == name
-    if not own_key and not _same(value, value_at(context.document.data, origins[0]), about):
+    if lines or len({about.label for about in inputs}) != 1:
+        return None
+    here = all(step_at(context.document.data, key) == context.chapter for key in keys)
+    own_key = here and inputs[0].symbol and symbol(inputs[0].symbol) == name
+    if not own_key and not _same(value, [value_at(context.document.data, key) for key in keys], inputs[0]):
         return None  # what is made of an input is something else: the tolerance of a diameter
-    return (not own_key and _labels(context).get((context.chapter, name))) or context.say(about.label), about.unit
+    return context.say(inputs[0].label), inputs[0].unit
 
 
-def _same(value: object, given: object, about: Quantity) -> bool:
-    """Whether an argument is an input as it is given, or one of its numbers; what is left out is not compared."""
-    if given is None or isinstance(given, str) or not isinstance(value, (int, float)):
-        return True
-    numbers = [number for number in (given if isinstance(given, list) else [given]) if isinstance(number, (int, float))]
-    return any(isclose(value, about.units.inside(number), rel_tol=1e-9) for number in numbers)
+def _same(value: object, given: list[Any], about: Quantity) -> bool:
+    """Whether an argument is inputs as they are given, or some of their numbers; what is left out is not compared.
+    A name brings in what a table has under it, which is something else."""
+    if any(isinstance(one, str) for one in given):
+        return False
+    numbers = [n for one in given for n in (one if isinstance(one, list) else [one]) if isinstance(n, (int, float))]
+    values = value if isinstance(value, (tuple, list)) else [value]
+    compared = [x for x in values if isinstance(x, (int, float))]
+    if not numbers or not compared:
+        return len(given) == 1
+    inside = [about.units.inside(number) for number in numbers]
+    return all(any(isclose(x, one, rel_tol=1e-9) for one in inside) for x in compared)
 
 
-def _labels(context: Context) -> dict[tuple[str, str], str]:
-    """What the values and inputs with a symbol are called, by chapter and symbol; "its place" goes on from another
-    name."""
+Called = list[tuple[str, str]]  # ids, each with what it is called
+
+
+def _labels(context: Context) -> dict[tuple[str, str], Called]:
+    """What the values and inputs with a symbol are called, by chapter and symbol, and of values by their formula and
+    symbol; "its place" goes on from another name."""
     if not context.labels:
         data = context.document.data
-        named = [(value.id, value.symbol, value.label) for value in context.values.values()]
-        named += [(key, symbol(about.symbol) if about.symbol else "", about.label) for key, about in quantities(data)]
-        for id, name, label in named:
-            if name and not label[:1].islower():
-                of, wording = (step_at(data, id), name), context.say(label)
-                context.labels[of] = _in_common(context.labels.get(of, wording), wording, id)
+        for value in context.values.values():
+            line = link_of(value.inside)
+            own = isinstance(line, Line) and value.symbol == symbol_of(line)
+            for of in (step_at(data, value.id), _name(line) if own and isinstance(line, Line) else ""):
+                if of and value.symbol and not value.label[:1].islower():
+                    context.labels.setdefault((of, value.symbol), []).append((value.id, context.say(value.label)))
+        for key, about in quantities(data):
+            if about.symbol:
+                of_key = context.labels.setdefault((step_at(data, key), symbol(about.symbol)), [])
+                of_key.append((key, context.say(about.label)))
     return context.labels
+
+
+def _in_common_of(label: str, called: Called) -> str:
+    """A label without the part that it is of, where others are called the same but for theirs."""
+    for id, other in called:
+        label = _in_common(label, other, id)
+    return label
 
 
 def _in_common(label: str, other: str, id: str) -> str:

@@ -28,7 +28,7 @@ from calc.sheet.verdict import severity
 from calc.studies.explain import shortened
 
 from ..context import Context, Element, Index, near
-from ..typesetting.boxes import Colour
+from ..typesetting.boxes import BETWEEN, Colour
 from ..typesetting.equation import SIGN, EquationEntry, Label, Place, column_of_signs, entry_blocks, spoken_numbers
 from ..typesetting.fonts import WIDTH
 from ..typesetting.pagination import Block, Formula, paragraph
@@ -37,6 +37,7 @@ from ..typesetting.tables import Cell, Column, Row, table
 from ..typesetting.tags import title_tag
 from .checks import lack_of, name_of, shown_value, sign_style
 from .inputs import alike, exact
+from .nomenclature import noted_result
 from .words import STATE_COLOURS
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ class Walk:
     """What a number comes from: formulas with their numbers, values that these take from elsewhere, and inputs."""
 
     entries: list[EquationEntry]
-    quoted: list[str]  # "F = 1707 N [4.1]"
+    quoted: list[tuple[str, Line]]  # "F = 1707 N [4.1]", and the line that gave it
     inputs: list[str]  # keys
 
     @property
@@ -193,8 +194,11 @@ def _name(line: Line) -> str:
     return f"{line.formula.function.__module__}.{line.formula.__name__}"
 
 
-def _quoted(context: Context, shown: Mapping[Line, Index | None], known: Known, taken: Mapping[Line, int]) -> list[str]:
+def _quoted(
+    context: Context, shown: Mapping[Line, Index | None], known: Known, taken: Mapping[Line, int]
+) -> list[tuple[str, Line]]:
     """The values that the shown lines take from lines that are not shown."""
+    lines: dict[tuple[str, str], Line] = {}
     values: dict[tuple[str, str], dict[str, str]] = {}  # symbol and where it is derived → numbers, each with its unit
     for element in shown.items():
         for needed, index in context.origins.of(element)[0]:
@@ -202,10 +206,11 @@ def _quoted(context: Context, shown: Mapping[Line, Index | None], known: Known, 
                 where = known.get(needed) or (
                     context.text("as_in", number=known[_name(needed)]) if _name(needed) in known else ""
                 )
+                lines.setdefault((symbol_of(needed), where), needed)
                 for at in [index] if index else _all(needed):
                     number, unit = result(needed, at, taken.get(needed, 0))
                     values.setdefault((symbol_of(needed), where), {})[context.say.number(number)] = unit
-    return [_quoted_value(symbol, where, numbers) for (symbol, where), numbers in values.items()]
+    return [(_quoted_value(*of, numbers), lines[of]) for of, numbers in values.items()]
 
 
 def _all(line: Line) -> list[Index | None]:
@@ -440,7 +445,9 @@ def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -
         context.ranges.add(context.chapter)
         blocks += _line(context, "ranges")
     if quoting and walk.quoted:
-        blocks += _listed(context, "with_values", walk.quoted)
+        listed = _listed(context, "with_values", [words for words, _ in walk.quoted])
+        names = dict.fromkeys(noted_result(context, line) for _, line in walk.quoted[:QUOTED])
+        blocks += [replace(listed[0], indexed=BETWEEN.join(filter(None, names))), *listed[1:]]
     if quoting and walk.inputs:
         blocks += _listed(
             context, "from_inputs", [_given(context, key) for key in _together(shortened(walk.inputs, context.design))]

@@ -164,4 +164,4 @@ class Symbol:
 
     @property
     def indexed(self) -> str:
-        return f"{SIGN}{self.chapter}{SIGN}{self.name}"
+        return f"{SIGN}{self.chapter}{SIGN}{self.name}{SIGN}{self.meaning}"

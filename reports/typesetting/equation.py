@@ -94,10 +94,9 @@ def entry_blocks(
     called = symbols_put_in([line for _, line in entry.lines])
     first = shown(entry.lines[0][1], context.say, entry, called)
     alike = len({symbol_of(line) for _, line in entry.lines}) == 1
-    indexed = BETWEEN.join(
-        dict.fromkeys(noted_line(context, line) for _, line in (entry.lines if alike else entry.lines[:1]))
-    )
-    head = symbol(first.symbol if alike else entry.formula.symbol, SIZE)
+    name = first.symbol if alike else entry.formula.symbol
+    indexed = BETWEEN.join(dict.fromkeys(noted_line(context, line, name, called) for _, line in entry.lines))
+    head = symbol(name, SIZE)
     sign = max(sign, head.width + 4.0)
     if len(entry.lines) == 1 and not labelled:
         copied = f"{spoken(first)} {_copied_numbers(first)}"

@@ -113,6 +113,8 @@ def _of(tree: ast.AST) -> Iterator[Template]:
             yield from (
                 (text, "") for said in (*node.args[1:2], *filter(None, [words.get("shows")])) for text in literals(said)
             )
+            if isinstance(meanings := words.get("meanings"), ast.Dict):
+                yield from ((text, "") for said in meanings.values for text in literals(said))
 
 
 def of_results(results: Results) -> Iterator[str]:

@@ -5,15 +5,21 @@ stands."""
 import re
 from importlib import import_module
 
+import pytest
+
 from calc.locale import language
-from calc.sheet.formula import FORMULAS
-from reports.blocks.nomenclature import BY_NAME, _in_common, _short, noted
+from calc.sheet.expression import Expr, symbol
+from calc.sheet.formula import FORMULAS, units
+from reports.blocks.nomenclature import BY_NAME, _in_common, _origin, _short, noted
 from reports.context import Context
 from reports.report import blocks
-from reports.typesetting.boxes import SIGN
+from reports.typesetting.boxes import BETWEEN, SIGN
+from reports.typesetting.equation import spoken
+from reports.typesetting.pagination import Block, Formula, TextContent
 from reports.typesetting.prose import NOTE, run
+from tests.calc.dimension import dimension
 from tests.conftest import ROOT
-from tests.reports.reading import Solved, pages_of, text_of
+from tests.reports.reading import Solved, pages_of, solved, text_of
 
 
 def part(pdf: bytes) -> str:
@@ -102,3 +108,100 @@ def test_what_is_of_each_wheel_is_not_called_that_of_the_first() -> None:
         ("Its limit, one pair carries all",) * 2,
     ):
         assert _in_common(one, other, wheel) == one
+
+
+# --- every symbol of a proof
+
+
+def leaves_of(tree: Expr) -> set[str]:
+    return {tree.name} if tree.head == "symbol" else set().union(*map(leaves_of, tree.args))
+
+
+def set_symbols(content: Formula) -> set[str]:
+    """The symbols on the left and right of a formula, as they are set; π, e and i mean the same everywhere."""
+    if (first := content.first) is None:
+        return set()
+    return ({first.symbol} | (leaves_of(first.formula) if first.formula else set())) - {"π", "e", "i"}
+
+
+def noted_in(block: Block) -> set[str]:
+    """The symbols under whose names the nomenclature leads to a block."""
+    return {name.split(SIGN)[2] for name in block.indexed.split(BETWEEN) if name.startswith(SIGN)}
+
+
+Made = tuple[Context, list[Block]]
+
+
+@pytest.fixture(scope="module")
+def proven(example: Solved) -> Made:
+    """The engineer's report as blocks, with the symbols that were noted in making them."""
+    return (context := context_of(example, "engineer")), blocks(context)
+
+
+def nameless(made: list[Block]) -> list[tuple[str, set[str]]]:
+    """The formulas of a report with the symbols that stand in them and lead nowhere."""
+    found = []
+    for block in made:
+        if isinstance(block.content, Formula) and (lost := set_symbols(block.content) - noted_in(block)):
+            found.append((spoken(block.content.first), lost))  # type: ignore[arg-type]
+    return found
+
+
+def test_every_symbol_of_the_proofs_has_its_meaning(proven: Made) -> None:
+    assert nameless(proven[1]) == []
+    assert len(proven[0].symbols) > 250
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["r753ie4_rolling", "r753ie4_drive_over_speed", "r753ie4_mounting", "twin_drive"])
+def test_every_symbol_of_other_designs_has_its_meaning(name: str) -> None:
+    made = solved((ROOT / "designs" / f"{name}.toml").read_bytes())
+    assert nameless(blocks(context_of(made, "engineer"))) == []
+
+
+def test_symbols_that_are_quoted_have_their_meaning(proven: Made) -> None:
+    """Those of the values that a proof takes from elsewhere."""
+    quoted = [block for block in proven[1] if isinstance(block.content, TextContent) and block.indexed]
+    assert len(quoted) > 10
+    for block in quoted:
+        words = block.content.words  # type: ignore[union-attr]
+        names = set(re.findall(r"(\S+) = ", words))
+        assert names and names <= noted_in(block), words
+
+
+def test_a_meaning_is_of_what_the_formula_takes(example: Solved) -> None:
+    """Of no other quantity of the same letter: each has the dimension that its formula asks for."""
+    context, count = context_of(example, "engineer"), 0
+    for context.chapter, outcome in example.results.outcomes.items():
+        for line in outcome.lines:
+            known = units(line.formula)
+            for name, value in line.arguments.items() if not line.formula.shows else ():
+                own = line.formula.names.get(name) or symbol(name)
+                if name in known and name not in line.formula.meanings and (origin := _origin(context, own, value)):
+                    assert dimension(origin[1]) == dimension(known[name]), (line.formula.__name__, name, origin)
+                    count += 1
+    assert count > 5000
+
+
+def test_a_letter_with_several_meanings_stands_with_each_of_them(proven: Made) -> None:
+    """Each with its own first page, and with the unit of what it is; none under the meaning of another."""
+    known: dict[tuple[str, str], dict[str, str]] = {}
+    for entry in proven[0].symbols.values():
+        known.setdefault((entry.chapter, entry.name), {})[entry.meaning] = entry.unit
+    for place, meanings in {
+        ("imbalance", "n"): {"Order": "", "Rated speed": "rpm"},
+        ("countershaft", "z"): {"Places of the cylinders": "m", "Position": "mm"},
+        ("countershaft", "C_max"): {"Largest couple": "N·m"},
+        ("bearings", "B"): {"bending stiffness of the section": "N·m²"},
+        ("bearings", "α_H"): {"Thermal expansion of the seat": "1/K"},
+        ("gears", "a_min,F"): {"Smallest centre distance, with the runout of both wheels": "mm"},
+        ("gears", "α_T"): {"Thermal expansion of the part": "1/K"},
+        ("gears", "Δφ"): {"Free turn of the last wheel by backlash": "°", "Free turn of the first driver": "°"},
+    }.items():
+        assert known[place] == meanings
+
+
+def test_what_is_declared_is_a_parameter() -> None:
+    declared = [(one, name) for one in FORMULAS.values() for name in one.meanings]
+    assert len(declared) > 80
+    assert all(name in (*one.parameters, "return") for one, name in declared)

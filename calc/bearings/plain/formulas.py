@@ -69,7 +69,12 @@ def clearance_of_fits(EI: Metre, ES: Metre, ei: Metre, es: Metre) -> Metre:
     return (EI + ES) / 2 - (ei + es) / 2
 
 
-@formula("g_min", "geometry, smallest seat on the largest journal; T: width of each tolerance", unit="µm")
+@formula(
+    "g_min",
+    "geometry, smallest seat on the largest journal; T: width of each tolerance",
+    unit="µm",
+    meanings={"T_S": "Width of the tolerance of the seat", "T_J": "Width of the tolerance of the journal"},
+)
 def least_clearance(g: Metre, T_S: Metre, T_J: Metre) -> Metre:
     return g - (T_S + T_J) / 2
 
@@ -84,7 +89,12 @@ def most_clearance_of_fits(ES: Metre, ei: Metre) -> Metre:
     return ES - ei
 
 
-@formula("g_max", "geometry, largest seat on the smallest journal; T: width of each tolerance", unit="µm")
+@formula(
+    "g_max",
+    "geometry, largest seat on the smallest journal; T: width of each tolerance",
+    unit="µm",
+    meanings={"T_S": "Width of the tolerance of the seat", "T_J": "Width of the tolerance of the journal"},
+)
 def most_clearance(g: Metre, T_S: Metre, T_J: Metre) -> Metre:
     return g + (T_S + T_J) / 2
 
@@ -104,6 +114,7 @@ def load_speed(i_F: Number, n_J: RevPerSecond) -> RevPerSecond:
     "physics: clearance at a temperature, by the expansion of seat and journal; χ, share of the housing's expansion "
     "held back by the block",
     unit="µm",
+    meanings={"alpha_H": "Thermal expansion of the seat", "alpha_J": "Thermal expansion of the journal"},
 )
 def clearance_at(
     g: Metre, d: Metre, alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, T: Celsius, T_ref: Celsius
@@ -125,7 +136,12 @@ def relative_clearance(g: Metre, d: Metre) -> Number:
     return g / d
 
 
-@formula("n_h", "ISO 7902-1: hydrodynamically effective speed of journal, bush and load vector", unit="rpm")
+@formula(
+    "n_h",
+    "ISO 7902-1: hydrodynamically effective speed of journal, bush and load vector",
+    unit="rpm",
+    meanings={"n_B": "Speed of the bush", "n_F": "Speed of the load vector"},
+)
 def effective_speed(n_J: RevPerSecond, n_B: RevPerSecond, n_F: RevPerSecond) -> RevPerSecond:
     """Zero where the load turns at half the journal's speed: no film is built up.  Load turning with the journal: as if
     it stood.
@@ -157,6 +173,7 @@ def sommerfeld_din(p: Pascal, psi: Number, mu: PascalSecond, omega: RadPerSecond
     "energy, heat balance: all friction leaves with the oil",
     shows="ΔT at which the film's friction warms its oil by ΔT, bracketed",
     unit="K",
+    meanings={"return": "Temperature rise of the oil"},
 )
 def closing_rise(Delta_T: Kelvin) -> Kelvin:
     """The rise itself, found from all that the film depends on."""
@@ -401,6 +418,7 @@ def transition_speed(p: Pascal, mu: PascalSecond, d: Metre) -> RevPerSecond:
     "Finotti 2013, 5.5.3: n above 3·n_T below 3 m/s, above u·n_T from 3 to 10 m/s; held at 10 beyond, where no rule "
     "is given",
     unit="rpm",
+    meanings={"k": "Least speed over that of the transition"},
 )
 def least_speed(k: Number, n_T: RevPerSecond) -> RevPerSecond:
     return k * n_T

@@ -74,7 +74,13 @@ def fatigue_share(e_C: Number, C_u: Newton, P: Newton) -> Number:
 
 
 # 50 is the most that a_ISO may be: what is less than 500^(−1/9.3) counts as that
-@formula("a_ISO", Text("{iso}: balls, at most 50", iso=ISO), names={"c": "c_k", "s": "s_k"}, governs="min")
+@formula(
+    "a_ISO",
+    Text("{iso}: balls, at most 50", iso=ISO),
+    names={"c": "c_k", "s": "s_k"},
+    governs="min",
+    meanings={"c": "Constant of the viscosity ratio", "s": "Exponent of the viscosity ratio"},
+)
 def life_factor_of_balls(c: Number, k: Number, s: Number, X_u: Number) -> Number:
     return 0.1 * power(
         largest(1 - largest(2.5671 - c / power(k, s), 0.0) ** 0.83 * X_u ** (1 / 3), 500 ** (-1 / 9.3)), -9.3
@@ -124,14 +130,25 @@ def life_factor(elements: Elements, k: Any, X_u: Any) -> Any:
 # --- the rows of a duty, and all bearings
 
 
-@formula("a_1", Text("{iso}: fewer than one in ten may fail", iso=ISO), shows="a_1 by table, linear in between")
+@formula(
+    "a_1",
+    Text("{iso}: fewer than one in ten may fail", iso=ISO),
+    shows="a_1 by table, linear in between",
+    meanings={"return": "Life factor for reliability"},
+)
 def reliability_factor(R: Number) -> Number:
     """R: of bearings that reach the life, 0.9 to 0.999."""
     row: TableRow = house_table(FILE)["reliability"]
     return float(np.interp(100 * R, row["percent"], row["a_1"]))
 
 
-@formula("L", "Palmgren: each row takes its share of the life (Miner 1945)", unit="h", names={"w": "w_i", "L_i": "L_i"})
+@formula(
+    "L",
+    "Palmgren: each row takes its share of the life (Miner 1945)",
+    unit="h",
+    names={"w": "w_i", "L_i": "L_i"},
+    meanings={"w": "Share of each row in the hours", "return": "Life over the duty cycle"},
+)
 def life_of_duty(w: Number, L_i: Second) -> Second:
     """w: share of each row in the hours."""
     return 1 / along(w / L_i)

@@ -70,12 +70,17 @@ def shear_coefficient(nu: Number) -> Number:
     return 6 * (1 + nu) / (7 + 6 * nu)
 
 
-@formula("S_s", "elasticity, Timoshenko's beam: shear stiffness of the whole section", names={"kappa": "κ_s"})
+@formula(
+    "S_s",
+    "elasticity, Timoshenko's beam: shear stiffness of the whole section",
+    names={"kappa": "κ_s"},
+    meanings={"A": "Area of the section"},
+)
 def shear_stiffness(kappa: Number, G: Pascal, A: SquareMetre) -> Newton:
     return kappa * G * A
 
 
-@formula("B", "elasticity: bending stiffness of the section")
+@formula("B", "elasticity: bending stiffness of the section", meanings={"E": "Modulus of elasticity"})
 def bending_stiffness(E: Pascal, I: Metre4) -> NewtonMetre2:
     return E * I
 
@@ -129,7 +134,9 @@ def farthest_fibre(R: Metre, y: Metre, r_0: Metre, gamma: Radian) -> Metre:
 # --- mass and load
 
 
-@formula("ρ_l", "geometry: mass per length of the whole section")
+@formula(
+    "ρ_l", "geometry: mass per length of the whole section", meanings={"rho": "Density", "A": "Area of the section"}
+)
 def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
     return rho * A
 
@@ -150,7 +157,12 @@ def heavier_rotary_inertia(rho: KilogramPerMetre3, I: Metres4, I_0: Metres4, nu:
     return rho * (I_0 + nu * (I - I_0))
 
 
-@formula("q", "dynamics: centrifugal load per length of what is eccentric", names={"omega": "ω_S"})
+@formula(
+    "q",
+    "dynamics: centrifugal load per length of what is eccentric",
+    names={"omega": "ω_S"},
+    meanings={"rho": "Density"},
+)
 def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) -> PhasorNewtonPerMetre:
     return omega**2 * rho * S
 
@@ -315,7 +327,12 @@ def shoulder_moment(z: Metre, u: Bent) -> NewtonMetre:
     return float(abs(u.moment_at(np.asarray(z))))
 
 
-@formula("σ", "elasticity, elementary bending, nominal: farthest fibre of the whole section", unit="MPa")
+@formula(
+    "σ",
+    "elasticity, elementary bending, nominal: farthest fibre of the whole section",
+    unit="MPa",
+    meanings={"c": "Distance of the farthest fibre", "I": "Second moment of the section"},
+)
 def bending_stress(M: NewtonMetre, c: Metre, I: Metre4) -> Pascal:
     return M * c / I
 
@@ -361,7 +378,12 @@ MEAN_TANGENT = Text(
 BOUND = Text("statics, a bound: nothing is known of the directions, so that all add up")
 
 
-@formula("P", SHARED, shows="P of each support where K_c·x + P(x) = f_c, Newton's method; P(x) the law of each support")
+@formula(
+    "P",
+    SHARED,
+    shows="P of each support where K_c·x + P(x) = f_c, Newton's method; P(x) the law of each support",
+    meanings={"return": "Loads of the supports"},
+)
 def shared_load(K_c: NewtonsPerMetre, f_c: PhasorNewtons, x: PhasorMetres, P: PhasorNewtons) -> PhasorNewtons:
     """The loads of the supports, in the frame of the shaft.  `P` is found from the others and the laws."""
     return P

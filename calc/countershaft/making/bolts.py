@@ -200,6 +200,7 @@ def friction_radius_source(s: Metre) -> Metre:
         "2.0",
         vdi=VDI,
     ),
+    meanings={"alpha_A": "Tightening factor"},
 )
 def least_preload(F_V: Newton, alpha_A: Number) -> Newton:
     """F_V is taken as the largest preload, as it is with the smallest friction to be expected."""
@@ -238,7 +239,7 @@ def bearing_span(z_f: Metre, z_r: Metre) -> Metre:
     return z_r - z_f
 
 
-@formula("C_m", "statics: couple moved to the middle of the bolts")
+@formula("C_m", "statics: couple moved to the middle of the bolts", meanings={"C_S": "Couple of the shaft"})
 def couple_about_middle(C_S: PhasorNewtonMetre, z_m: Metre, F_S: PhasorNewton) -> PhasorNewtonMetre:
     return C_S - z_m * F_S
 

@@ -312,6 +312,7 @@ def lever_rear(z_S: Metre, z_f: Metre, z_r: Metre) -> Number:
     Text("{planes}: permitted unbalance of a plane, 0.3 to 0.7 of U_per (to 1.3 near an overhung mass)", planes=PLANES),
     unit="g·mm",
     names={"U": "U_per", "q": "x_U", "q_max": "x_U,max"},
+    meanings={"q": "Share of the plane", "q_max": "Largest share of a plane"},
 )
 def plane_unbalance(U: KilogramMetre, q: Number, q_max: Number) -> KilogramMetre:
     return U * smallest(largest(q, LEAST), q_max)

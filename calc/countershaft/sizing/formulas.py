@@ -158,7 +158,9 @@ def couple_direction(P: PhasorKilogramMetre2) -> Radian:
     return argument(P)
 
 
-@formula("∠", "geometry, the other side of the shaft: the front sector")
+@formula(
+    "∠", "geometry, the other side of the shaft: the front sector", meanings={"return": "Direction of the front sector"}
+)
 def opposite(angle: Radian) -> Radian:
     return angle + pi
 
@@ -203,12 +205,12 @@ def rear_length(alpha: PhasorNumber, product: PhasorNumber, z_max: Metre) -> Met
     return least_lengths(alpha, product)[1] * z_max
 
 
-@formula("z_f", Text("{faces}: its middle", faces=FACES), unit="mm")
+@formula("z_f", Text("{faces}: its middle", faces=FACES), unit="mm", meanings={"return": "Place of the front sector"})
 def front_place(b: Metre, z_max: Metre) -> Metre:
     return b / 2 - z_max
 
 
-@formula("z_r", Text("{faces}: its middle", faces=FACES), unit="mm")
+@formula("z_r", Text("{faces}: its middle", faces=FACES), unit="mm", meanings={"return": "Place of the rear sector"})
 def rear_place(b: Metre, z_max: Metre) -> Metre:
     return z_max - b / 2
 

@@ -120,6 +120,16 @@ def other_losses(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("P", "mathematics: sum of all losses of the train; what it does not have counts 0")
+@formula(
+    "P",
+    "mathematics: sum of all losses of the train; what it does not have counts 0",
+    meanings={
+        "P_B": "Bearings of the counter-shaft",
+        "P_C": "Churning of all wheels",
+        "P_J": "Thrown oil of all wheels",
+        "P_D": "Seals of all wheels",
+        "P_L": "Bearings of all wheels",
+    },
+)
 def total_loss(P_B: Watt, P_VZ: Watt, P_W: Watt, P_C: Watt, P_J: Watt, P_D: Watt, P_L: Watt, P_X: Watt) -> Watt:
     return P_B + P_VZ + P_W + P_C + P_J + P_D + P_L + P_X

@@ -39,6 +39,7 @@ REFERENCE: Celsius = 20.0  # of all measures, ISO 1
     "mathematics: root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)",
     unit="mm",
     names={"T": "T_i"},
+    meanings={"T": "Tolerance fields of the parts"},
 )
 def tolerance_of_contributors(T: Metres) -> Metre:
     return rss(T) / 2
@@ -103,7 +104,12 @@ def radial_backlash(j_wt: Metre, alpha_wt: Radian) -> Metre:
     return j_wt / (2 * tan(alpha_wt))
 
 
-@formula("a_min,F", "geometry: eccentricity of both wheels, half of each runout, towards each other", unit="mm")
+@formula(
+    "a_min,F",
+    "geometry: eccentricity of both wheels, half of each runout, towards each other",
+    unit="mm",
+    meanings={"return": "Smallest centre distance, with the runout of both wheels"},
+)
 def narrowest_with_runout(a_min: Metre, F_r1: Metre, F_r2: Metre) -> Metre:
     return a_min - (F_r1 + F_r2) / 2
 
@@ -154,7 +160,12 @@ def play_angle_at_base(j_bn: Metre, beta_b: Radian, d_b: Metre) -> Radian:
     return j_bn / cos(beta_b) / (d_b / 2)
 
 
-@formula("Δφ", "definition, where the sum over the train begins: the first driver stands", shows="0")
+@formula(
+    "Δφ",
+    "definition, where the sum over the train begins: the first driver stands",
+    shows="0",
+    meanings={"return": "Free turn of the first driver"},
+)
 def no_play() -> Radian:
     return 0.0
 
@@ -177,6 +188,7 @@ def residual_force(F: Newton, Delta_phi: Radian) -> Newton:
     "mathematics, worst case: every part at the end of its field, on the line of centres",
     unit="µm",
     names={"T": "T_i"},
+    meanings={"T": "Tolerance fields of the parts"},
 )
 def worst_case(T: Metres) -> Metre:
     return total(T) / 2
@@ -197,17 +209,35 @@ def three_deviations(k: Numbers, T: Metres) -> Metre:
 # --- temperature
 
 
-@formula("T_W", "given in the design: temperature of the wheels, warmer than the housing")
+@formula(
+    "T_W",
+    "given in the design: temperature of the wheels, warmer than the housing",
+    meanings={"Delta_T": "Excess of the wheels over the housing"},
+)
 def wheel_temperature(T_H: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_H + Delta_T
 
 
-@formula("α_a", "physics, expansion of the centre distance; λ_S: share of it that the support spans", unit="10⁻⁶/K")
+@formula(
+    "α_a",
+    "physics, expansion of the centre distance; λ_S: share of it that the support spans",
+    unit="10⁻⁶/K",
+    meanings={
+        "alpha_H": "Thermal expansion of the housing",
+        "alpha_S": "Thermal expansion of the support",
+        "return": "Thermal expansion of the centre distance",
+    },
+)
 def expansion_between_centres(alpha_H: PerKelvin, alpha_S: PerKelvin, lambda_S: Number) -> PerKelvin:
     return alpha_H * (1 - lambda_S) + alpha_S * lambda_S
 
 
-@formula("ε_T", "physics: linear expansion from 20 °C (ISO 1)", names={"alpha": "α_T", "T": "T_p"})
+@formula(
+    "ε_T",
+    "physics: linear expansion from 20 °C (ISO 1)",
+    names={"alpha": "α_T", "T": "T_p"},
+    meanings={"alpha": "Thermal expansion of the part", "T": "Temperature of the part"},
+)
 def expansion(alpha: PerKelvin, T: Celsius) -> Number:
     return alpha * (T - REFERENCE)
 

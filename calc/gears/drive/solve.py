@@ -70,12 +70,28 @@ REVERSAL = "rule of this program: where flanks part, straight between the speeds
 BEHIND = {"M": "M_i", "M_2": "M_c,2", "D": "D_i", "D_2": "D_c,2", "rho": "ρ_b"}
 
 
-@formula("M_c", "dynamics: with what its body drives, ρ times as fast on the line of action", names=BEHIND)
+@formula(
+    "M_c",
+    "dynamics: with what its body drives, ρ times as fast on the line of action",
+    names=BEHIND,
+    meanings={
+        "rho": "Speed on the line of action of what is behind, over that of the mesh",
+        "return": "Mass on the line of action, with what its body drives",
+    },
+)
 def with_behind(M: Kilogram, M_2: Kilogram, rho: Number) -> Kilogram:
     return M + M_2 * rho**2
 
 
-@formula("D_c", "statics: with what its body drives, ρ times as fast on the line of action", names=BEHIND)
+@formula(
+    "D_c",
+    "statics: with what its body drives, ρ times as fast on the line of action",
+    names=BEHIND,
+    meanings={
+        "rho": "Speed on the line of action of what is behind, over that of the mesh",
+        "return": "Drag on the line of action, with what its body drives",
+    },
+)
 def drag_with_behind(D: Newton, D_2: Newton, rho: Number) -> Newton:
     return D + D_2 * rho
 
@@ -84,6 +100,12 @@ def drag_with_behind(D: Newton, D_2: Newton, rho: Number) -> Newton:
     "a_F",
     "kinematics: acceleration of the crank along the line of action of a mesh",
     names={"alpha": "ω'", "rho": "ρ_b"},
+    meanings={
+        "alpha": "Angular acceleration of the crank",
+        "i_1": "Turns of the first driver in a turn of the crank",
+        "r_b1": "Base radius of the first driver",
+        "rho": "Speed on the line of action of the mesh, over that of the first driver",
+    },
 )
 def at_mesh(alpha: RadPerSecond2, i_1: Number, r_b1: Metre, rho: Number) -> MetrePerSecond2:
     """`i_1`: turns of the first driver in a turn of the crank, `r_b1` its base radius, `rho` from there to the mesh."""

@@ -45,6 +45,10 @@ class MayLeave:
     "mathematics: sum over the meshes of a way, J_v: of those before",
     unit="µm",
     names={"J": "J_v", "rho": "ρ_b"},
+    meanings={
+        "rho": "Speed on the line of action at the end of the way, over that of the mesh",
+        "return": "Backlash of the meshes of a way, at its end",
+    },
 )
 def with_mesh(J: Metre, j: Metre, rho: Number) -> Metre:
     """`rho`: from the mesh to the end of the way."""
@@ -56,6 +60,7 @@ def with_mesh(J: Metre, j: Metre, rho: Number) -> Metre:
     "rule of this program: what tolerance, runout and temperature take of the nominal backlash at their worst",
     unit="µm",
     names={"j_bn": "j_bn,least"},
+    meanings={"return": "Backlash that tolerance, runout and temperature take"},
 )
 def taken(j: Metre, j_bn: Metre, beta_b: Radian) -> Metre:
     """`j` along the transverse line of action, `j_bn` normal to the flanks.
@@ -73,6 +78,7 @@ def taken(j: Metre, j_bn: Metre, beta_b: Radian) -> Metre:
     shows="J where u(J) = u_q",
     unit="µm",
     names={"u": "u_q"},
+    meanings={"return": "Backlash at which strikes at idle are just quiet enough"},
 )
 def quiet(J: Metre, u: MetrePerSecond) -> Metre:
     """As the search over flights has it."""
@@ -84,6 +90,7 @@ def quiet(J: Metre, u: MetrePerSecond) -> Metre:
     "rule of this program: nominal backlash whose largest, with tolerances and all warm, is just quiet enough",
     unit="µm",
     names={"J_most": "J_run", "J": "J_Σ"},
+    meanings={"return": "Largest nominal backlash that is quiet enough"},
 )
 def below_rattle(J_q: Metre, J_most: Metre, J: Metre) -> Metre:
     """>>> below_rattle(J_q=198e-6, J_most=264e-6, J=130e-6)
@@ -92,13 +99,25 @@ def below_rattle(J_q: Metre, J_most: Metre, J: Metre) -> Metre:
     return J_q - (J_most - J)
 
 
-@formula("J_φ", "mathematics: exact difference of two couples of equal length", unit="mm", names={"C_may": "C_max"})
+@formula(
+    "J_φ",
+    "mathematics: exact difference of two couples of equal length",
+    unit="mm",
+    names={"C_may": "C_max"},
+    meanings={"return": "Backlash that leaves the couple that may be left"},
+)
 def phase_by_couple(r_b: Metre, C: NewtonMetre, C_may: NewtonMetre) -> Metre:
     """Where the shaft stays so far behind that `C_may` of its couple `C` is left."""
     return 2 * r_b * asin(C_may / (2 * C))
 
 
-@formula("J_φ", "mathematics: exact difference of two forces of equal length", unit="mm", names={"F_may": "F_max"})
+@formula(
+    "J_φ",
+    "mathematics: exact difference of two forces of equal length",
+    unit="mm",
+    names={"F_may": "F_max"},
+    meanings={"return": "Backlash that leaves the force that may be left"},
+)
 def phase_by_force(r_b: Metre, F: Newton, F_may: Newton) -> Metre:
     return 2 * r_b * asin(F_may / (2 * F))
 

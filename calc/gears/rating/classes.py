@@ -40,6 +40,11 @@ def brinell_hardness(HV: Number) -> Number:
     Text("{table_1}: allowable stress number, contact; x_H: hardness", table_1=TABLE_1),
     unit="MPa",
     names=HARDNESS,
+    meanings={
+        "A": "Slope of the allowable stress over the hardness",
+        "x": "Hardness of the flank",
+        "B": "Allowable stress without hardness",
+    },
 )
 def contact_number(A: Pascal, x: Number, B: Pascal) -> Pascal:
     return A * x + B
@@ -50,6 +55,11 @@ def contact_number(A: Pascal, x: Number, B: Pascal) -> Pascal:
     Text("{table_1}: allowable stress number, bending; x_H: hardness", table_1=TABLE_1),
     unit="MPa",
     names=HARDNESS,
+    meanings={
+        "A": "Slope of the allowable stress over the hardness",
+        "x": "Hardness of the flank",
+        "B": "Allowable stress without hardness",
+    },
 )
 def bending_number(A: Pascal, x: Number, B: Pascal) -> Pascal:
     return A * x + B

@@ -64,12 +64,30 @@ def life_exponent(Y_1: Number, Y_2: Number, N_1: Number, N_2: Number) -> Number:
     return ln(Y_1 / Y_2) / ln(N_2 / N_1)
 
 
-@formula("Z_NT", Text("{flank}: life factor, contact; from the knee Z_1 at N_1", flank=FLANK), names={"p": "p_N"})
+@formula(
+    "Z_NT",
+    Text("{flank}: life factor, contact; from the knee Z_1 at N_1", flank=FLANK),
+    names={"p": "p_N"},
+    meanings={
+        "Z_1": "Life factor at the knee of the life curve",
+        "N_1": "Load cycles at the knee of the life curve",
+        "N_L": "Load cycles",
+    },
+)
 def flank_life_factor(Z_1: Number, N_1: Number, N_L: Number, p: Number) -> Number:
     return Z_1 * power(N_1 / N_L, p)
 
 
-@formula("Y_NT", Text("{root}: life factor, root; from the knee Y_1 at N_1", root=ROOT), names={"p": "p_N"})
+@formula(
+    "Y_NT",
+    Text("{root}: life factor, root; from the knee Y_1 at N_1", root=ROOT),
+    names={"p": "p_N"},
+    meanings={
+        "Y_1": "Life factor at the knee of the life curve",
+        "N_1": "Load cycles at the knee of the life curve",
+        "N_L": "Load cycles",
+    },
+)
 def root_life_factor(Y_1: Number, N_1: Number, N_L: Number, p: Number) -> Number:
     return Y_1 * power(N_1 / N_L, p)
 
@@ -190,7 +208,12 @@ def lubricant_coefficient(sigma: Pascal) -> Number:
     return 0.83 + 0.08 * smallest(largest((sigma - SOFT) / SPAN, 0.0), 1.0)
 
 
-@formula("Z_L", Text("{iacs}: lubricant factor, mineral oil; ν_40: at 40 °C", iacs=IACS_FLANK), names={"nu_40": "ν_40"})
+@formula(
+    "Z_L",
+    Text("{iacs}: lubricant factor, mineral oil; ν_40: at 40 °C", iacs=IACS_FLANK),
+    names={"nu_40": "ν_40"},
+    meanings={"nu_40": "Kinematic viscosity at 40 °C"},
+)
 def lubricant_factor(C_ZL: Number, nu_40: SquareMetrePerSecond) -> Number:
     return C_ZL + 4 * (1 - C_ZL) / (1.2 + THICK / nu_40) ** 2
 
@@ -415,6 +438,7 @@ def slip_layer(R_p: Pascal, structural: Number) -> Metre:
     "Y_δrelT",
     Text("{iacs}: relative notch sensitivity; the test gear has q_s = 2.5", iacs=IACS_ROOT),
     names={"rho": "ρ'"},
+    meanings={"rho": "Thickness of the slip layer"},
 )
 def notch_sensitivity(rho: Metre, q_s: Number) -> Number:
     return (1 + sqrt(0.2 * rho / MILLIMETRE * (1 + 2 * q_s))) / (1 + sqrt(1.2 * rho / MILLIMETRE))
@@ -465,6 +489,11 @@ def surface_smooth(kind: str) -> Number:
     "Y_X",
     Text("{iacs}: size factor, 1 up to m_n = 5 mm (iron: {iso})", iacs=IACS_ROOT, iso=ISO),
     names={"Y": "Y_min", "a": "a_X", "b": "b_X"},
+    meanings={
+        "Y": "Smallest size factor",
+        "a": "Constant of the size factor",
+        "b": "Slope of the size factor over the module",
+    },
 )
 def size_factor(a: Number, b: Number, m_n: Metre, Y: Number) -> Number:
     return largest(smallest(a - b * m_n / MILLIMETRE, 1.0), Y)
@@ -476,7 +505,11 @@ def mean_stress_factor(loading: str) -> Number:
 
 
 @formula(
-    "σ_FG", "ISO 6336-3:2006: tooth root stress limit; Y_M for reversed load", unit="MPa", names={"Y_drelT": "Y_δrelT"}
+    "σ_FG",
+    "ISO 6336-3:2006: tooth root stress limit; Y_M for reversed load",
+    unit="MPa",
+    names={"Y_drelT": "Y_δrelT"},
+    meanings={"Y_ST": "Stress correction factor of the test gear"},
 )
 def root_limit(
     sigma_Flim: Pascal, Y_ST: Number, Y_NT: Number, Y_drelT: Number, Y_RrelT: Number, Y_X: Number, Y_M: Number

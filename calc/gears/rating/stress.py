@@ -58,6 +58,7 @@ def helix_factor_contact(beta: Radian) -> Number:
     Text("{contact}: nominal contact stress at the pitch point", contact=CONTACT),
     unit="MPa",
     names={"E_c": "E'"},
+    meanings={"u": "Teeth of the wheel over those of the pinion"},
 )
 def contact_stress(
     Z_H: Number, E_c: Pascal, Z_eps: Number, Z_beta: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number
