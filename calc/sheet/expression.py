@@ -208,7 +208,8 @@ def substituted(tree: Expr, numbers: Mapping[str, str]) -> Expr:
 def renamed(tree: Expr, called: Mapping[str, str]) -> Expr:
     """The same tree with other symbols."""
     if tree.head == "symbol":
-        return Expr("symbol", name=called.get(tree.name, tree.name))
+        name = called.get(tree.name, tree.name)
+        return Expr("number" if name.isdecimal() else "symbol", name=name)
     return Expr(tree.head, tuple(renamed(a, called) for a in tree.args), tree.name)
 
 
@@ -319,7 +320,7 @@ def digits_taken(places: Mapping[Line, tuple[int, ...] | None]) -> dict[Line, in
     while waiting:
         line = waiting.pop()
         arguments, value = _at_element(line, _place(line, places[line]))
-        if expression(line.formula) is None and not _of_numbers(line):
+        if expression(line.formula) is None and not of_few_numbers(line):
             continue
         factor = _taken_unit(line.formula)[1] if line in needed else _result_unit(line.formula)[1]
         wanted = digits_that_close(line.formula, arguments, value, factor, needed.get(line, DIGITS))
@@ -332,7 +333,7 @@ def digits_taken(places: Mapping[Line, tuple[int, ...] | None]) -> dict[Line, in
     return needed
 
 
-def _of_numbers(line: Line) -> bool:
+def of_few_numbers(line: Line) -> bool:
     """Whether a few numbers are all that an algorithm takes."""
     given = line.arguments.values()
     return 0 < len(given) <= FEW and all(isinstance(x, (int, float)) and not isinstance(x, bool) for x in given)
@@ -399,7 +400,7 @@ def show(
     arguments, value = _at_element(line, index)
     tree = expression(formula)
     numbers, shows, texts = None, formula.shows, dict[str, str]()
-    if tree is not None or _of_numbers(line):
+    if tree is not None or of_few_numbers(line):
         factor = (_taken_unit if taken else _result_unit)(formula)[1]
         known, digits = units(formula), digits_that_close(formula, arguments, value, factor, max(taken, DIGITS))
         texts = {

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import quantities, quantity_of, step_at, value_at
 from calc.sheet.errors import BadInput
-from calc.sheet.expression import result, symbol, symbol_of
+from calc.sheet.expression import of_few_numbers, result, symbol, symbol_of
 from calc.sheet.formula import units
 from calc.sheet.quantity import Quantity
 from calc.sheet.text import Text
@@ -161,7 +161,7 @@ def noted(context: Context, name: str, label: str, unit: str) -> str:
 def _noted(context: Context, name: str, meaning: str, unit: str) -> str:
     """Note a symbol of the chapter at hand; gives the name under which its page is found.  What has another meaning, or
     another unit, is another one."""
-    if not name or not context.chapter:
+    if not name or name.isdecimal() or not context.chapter:  # the number of an order is no symbol
         return ""
     key = (context.chapter, name, meaning.casefold())
     return context.symbols.setdefault(key, Symbol(context.chapter, name, meaning, unit)).indexed
@@ -173,14 +173,14 @@ def noted_line(context: Context, line: Line, name: str, put_in: Mapping[str, str
     names = [_noted(context, name, *_meaning(context, line))]
     formula = line.formula
     known, declared = units(formula), formula.meanings
-    for parameter, value in line.arguments.items() if not formula.shows else ():
+    written = not formula.shows or of_few_numbers(line)
+    for parameter, value in line.arguments.items() if written else ():
         own = formula.names.get(parameter) or symbol(parameter)
+        set_as = own if formula.shows else put_in.get(own, own)
         if parameter in declared:
-            names.append(
-                _noted(context, put_in.get(own, own), context.say(declared[parameter]), known.get(parameter, ""))
-            )
+            names.append(_noted(context, set_as, context.say(declared[parameter]), known.get(parameter, "")))
         elif (origin := _origin(context, own, value)) is not None:
-            names.append(_noted(context, put_in.get(own, own), *origin))
+            names.append(_noted(context, set_as, *origin))
     return BETWEEN.join(filter(None, dict.fromkeys(names)))
 
 

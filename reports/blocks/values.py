@@ -19,7 +19,7 @@ from ..context import Context
 from ..typesetting.fonts import WIDTH
 from ..typesetting.pagination import Block
 from ..typesetting.prose import CELL, HEADER, KEY, run
-from ..typesetting.tables import GAP, GUTTER, Cell, Column, Row, named_table, natural, noted_below, table
+from ..typesetting.tables import GAP, GUTTER, Cell, Column, named_table, natural, noted_below, table
 from ..typesetting.typeset import symbol
 from .nomenclature import noted
 

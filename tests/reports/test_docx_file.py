@@ -100,13 +100,13 @@ def test_formulas_can_be_edited(engineer_docx: Any) -> None:
 
 
 def test_headers_are_repeated_and_indices_stand_low(engineer_docx: Any) -> None:
-    key_results = next(
+    values = next(
         t for t in engineer_docx.tables if [c.text for c in t.rows[0].cells][:3] == ["Quantity", "Symbol", "Value"]
     )
-    assert "tblHeader" in key_results.rows[0]._tr.xml and "tblHeader" not in key_results.rows[1]._tr.xml
-    symbol = key_results.rows[1].cells[1].paragraphs[0]
-    assert [(run.text, run.font.subscript) for run in symbol.runs] == [("C", None), ("S", True)]
-    widths = [cell.width for cell in key_results.rows[1].cells]
+    assert "tblHeader" in values.rows[0]._tr.xml and "tblHeader" not in values.rows[1]._tr.xml
+    symbol = values.rows[1].cells[1].paragraphs[0]
+    assert [(run.text, run.font.subscript) for run in symbol.runs] == [("M", None), ("alt", True)]
+    widths = [cell.width for cell in values.rows[1].cells]
     assert widths[0] > 2 * widths[1]
 
 
