@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RevPerSecond
+from .accuracy import ToothTolerances
 from .backlash.formulas import PlayResult, TrainPlay
 from .drive.result import DriveResult, MeshOverSpeed, WheelStruck
 from .layout.result import ForcesResult, LayoutResult
@@ -102,6 +103,7 @@ class WheelResult:
     ends: dict[str, End] | None = None  # "max", "min": at the ends of the allowance
     tip_curvature: Metre  # ρ_a
     form_curvature: Metre  # ρ_F
+    tolerances: ToothTolerances  # of the accuracy grade
 
     @property
     def pitch_diameter(self) -> Metre:

@@ -15,6 +15,7 @@ from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, KilogramPerMetre3, Metre, Number, Radian
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
+from .accuracy import tooth_tolerances
 from .inputs import GearsInputs
 from .limits import mm
 from .measures import formulas as m
@@ -70,6 +71,7 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         s_c, h_c = m.chordal_thickness(chord, system.m_n, psi), m.chordal_height(chord, system.m_n, psi, d_a, d)
         rho_a, rho_F = f.curvature_at(d_a, d_b), f.curvature_at(d_Ff, d_b)
         ends, limits = _limits(bare, ball if place is not None else None, x_min, d_a)
+        b = wheel.face_width or gears.face_width
         return WheelResult(
             tooth_depth=h,
             pointed_diameter=pointed,
@@ -95,13 +97,14 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
             chordal_height=h_c,
             name=wheel.name,
             teeth=wheel.teeth,
-            face_width=wheel.face_width or gears.face_width,
+            face_width=b,
             material=wheel.material,
             allowance=_allowance(wheel),
             reference_thickness=s_t,
             span_length=W_K,
             tip_curvature=rho_a,
             form_curvature=rho_F,
+            tolerances=tooth_tolerances(system.m_n, d, d_a, b, gears.accuracy_grade, wheel.runout),
             virtual_teeth=chord,
             seat=place,
             ends=ends,
