@@ -10,8 +10,21 @@ from contextlib import contextmanager
 from io import StringIO
 from typing import TYPE_CHECKING, Any
 
-from calc.draw.drawing import LAYERS, Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words, enlarged, reach
-from calc.draw.lettering import ARROW, BEYOND, OFF, strokes, written
+from calc.draw.drawing import (
+    LAYERS,
+    Arc,
+    Area,
+    Hatch,
+    Ink,
+    Inscription,
+    Measure,
+    Point,
+    Polyline,
+    Words,
+    reach,
+    spanned,
+)
+from calc.draw.lettering import ARROW, BEYOND, OFF
 from calc.sheet.units import UNITS
 from calc.studies.drawings import WorkshopSheet
 
@@ -28,6 +41,22 @@ COLOURS = {
 DASH_DOTTED = ("AXIS", "REFERENCE", "WORKING")  # centre lines, and circles that nothing touches, as ISO 128 has them
 WIDE = 1.6  # width of a usual window over its height
 STYLE = "CONTRALBERO"  # of the dimensions
+DIMENSION_STYLE = {
+    "dimdec": 2, "dimzin": 8, "dimazin": 2, "dimdsep": ord("."), "dimtad": 1, "dimtih": 0, "dimtoh": 0, "dimlunit": 2,
+    "dimtolj": 0, "dimtfac": 1.0, "dimtzin": 0
+}  # fmt: skip
+DIAMETER = "%%c"  # the sign of a diameter, which every font of a CAD program has
+MEASURED = "<>"  # what a CAD program puts the measured size in for
+OWN_BLOCK = 32  # of a dimension's type: its block is its own
+POINTS: dict[
+    str, tuple[int, tuple[str, ...]]
+] = {  # the type of a dimension, and what the points of a measure are to it
+    "length": (0, ("defpoint2", "defpoint3", "defpoint")),
+    "radius": (4, ("defpoint", "defpoint4")),
+    "angle": (5, ("defpoint2", "defpoint3", "defpoint4", "defpoint")),
+}
+WINDOW = "WINDOW"
+ROUND = 2.0  # around what a window shows
 LETTERS = "ISO 3098"  # style of a sheet's letters
 # what CAD programs have for ISO 3098; its letters are narrower than those that a sheet makes room for
 FONT = "isocpeur.ttf"
@@ -37,16 +66,18 @@ mm = UNITS["mm"].shown
 
 
 def sheet_dxf(sheet: WorkshopSheet) -> str:
-    """A drawing sheet as the text of a DXF file: its part in full size, and paper, letters and line types larger in the
-    same measure."""
-    return dxf([enlarged(mark, 1 / sheet.scale) for mark in sheet.marks], tuple(LAYERS), 1 / sheet.scale)
+    """A drawing sheet as the text of a DXF file: in the model the part in full size with its dimensions, letters and
+    line types larger than on paper in the measure of the scale; on a layout the paper, with a window on the part."""
+    return dxf(sheet.part, tuple(LAYERS), 1 / sheet.scale, sheet)
 
 
-def dxf(drawing: Sequence[Ink], layers: tuple[str, ...] = (), by: float = 1.0) -> str:
+def dxf(
+    drawing: Sequence[Ink], layers: tuple[str, ...] = (), by: float = 1.0, sheet: WorkshopSheet | None = None
+) -> str:
     """The text of a DXF file.  `layers` are there even where nothing stands on them; further ones are made where they
     are named.
 
-    `by`: how many times longer than on paper the dashes of its lines are.
+    `by`: how many times longer than on paper the dashes of its lines are; `sheet`: the paper around the drawing.
     """
     import ezdxf
 
@@ -54,9 +85,7 @@ def dxf(drawing: Sequence[Ink], layers: tuple[str, ...] = (), by: float = 1.0) -
         document = ezdxf.new(VERSION, units=MILLIMETRES)
         document.linetypes.add("CENTER", [20.0, 12.5, -2.5, 2.5, -2.5], description="Center ____ _ ____")
         style: Any = document.dimstyles.duplicate_entry("Standard", STYLE)
-        style.dxf.update(
-            {"dimdec": 2, "dimzin": 8, "dimdsep": ord("."), "dimtad": 1, "dimtih": 0, "dimtoh": 0, "dimlunit": 2}
-        )
+        style.dxf.update(DIMENSION_STYLE)
         style.dxf.update(
             {"dimtxt": 2.5 * by, "dimasz": ARROW * 2.5 * by, "dimexe": BEYOND * 2.5 * by, "dimexo": OFF * 2.5 * by}
         )
@@ -70,11 +99,30 @@ def dxf(drawing: Sequence[Ink], layers: tuple[str, ...] = (), by: float = 1.0) -
                 _layer(document, mark.layer, by)
             _draw(document, space, mark)
         _view(document, drawing)
+        if sheet is not None:
+            _paper(document, sheet)
         for kind in sorted(document.entitydb.dxf_types_in_use()):
             document.classes.add_class(kind)  # else they are written in the order of a set, another one in each run
         text = StringIO()
         document.write(text)
     return text.getvalue()
+
+
+def _paper(document: "Drawing", sheet: WorkshopSheet) -> None:
+    """The layout: frame, title block, tables and notes, and a window on the model in the scale of the sheet."""
+    layout = document.paperspace()
+    document.layouts.rename(layout.name, sheet.paper.name)
+    layout.page_setup(size=(sheet.paper.wide, sheet.paper.high), margins=(0, 0, 0, 0), units="mm")
+    document.header["$PSLTSCALE"] = 0  # dashes are as long as the model has them
+    for mark in sheet.around:
+        _draw(document, layout, mark)
+    left, low, right, top = (mm(side) for side in spanned(point for mark in sheet.views for point in _points(mark)))
+    size, middle = (right - left + 2 * ROUND, top - low + 2 * ROUND), ((left + right) / 2, (low + top) / 2)
+    origin = _at(sheet.origin)
+    centre = [(middle[n] - origin[n]) / sheet.scale for n in (0, 1)]
+    window = layout.add_viewport(middle, size, centre, size[1] / sheet.scale, status=2)
+    document.layers.add(WINDOW, color=8, plot=False)  # the edges of the window are not printed
+    window.dxf.layer = WINDOW
 
 
 @contextmanager
@@ -105,23 +153,16 @@ def _layer(document: "Drawing", name: str, by: float) -> None:
 
 def _view(document: "Drawing", drawing: Sequence[Ink]) -> None:
     """What a program shows when it opens the file: all of it."""
-    points = [_at(point) for mark in drawing for point in _points(mark)]
-    if not points:
+    if not drawing:
         return
-    (left, right), (low, high) = ((min(places), max(places)) for places in zip(*points))
+    left, low, right, high = map(mm, spanned(point for mark in drawing for point in _points(mark)))
     document.modelspace().reset_extents((left, low, 0.0), (right, high, 0.0))
     height = max(high - low, (right - left) / WIDE)
     document.set_modelspace_vport(1.1 * height, ((left + right) / 2, (low + high) / 2))
 
 
 def _points(mark: Ink) -> Iterable[Point]:
-    match mark:
-        case Hatch(outlines=outlines):
-            return [point for outline in outlines for point in outline]
-        case Dimension():
-            return mark.start, mark.end, mark.line
-        case _:
-            return reach(mark)
+    return (*mark.points, *reach(mark)) if isinstance(mark, Measure) else reach(mark)
 
 
 def _draw(document: "Drawing", space: "BaseLayout", mark: Ink) -> None:
@@ -143,7 +184,7 @@ def _draw(document: "Drawing", space: "BaseLayout", mark: Ink) -> None:
                 space.add_solid([_at(point) for point in (*outline, outline[-1])[:4]], dxfattribs=on)
         case Hatch():
             _hatch(space, mark)
-        case Dimension():
+        case Measure():
             _dimension(document, space, mark)
 
 
@@ -171,28 +212,40 @@ def _hatch(space: "BaseLayout", hatch: Hatch) -> None:
         entity.paths.add_polyline_path([_at(point) for point in outline], is_closed=True)
 
 
-def _dimension(document: "Drawing", space: "BaseLayout", dimension: Dimension) -> None:
-    """A dimension that knows what it measures, with the strokes of the report as its picture."""
+def _dimension(document: "Drawing", space: "BaseLayout", measure: Measure) -> None:
+    """A dimension that knows what it measures and may deviate, with the strokes of the sheet as its picture."""
     block = document.blocks.new_anonymous_block(type_char="D")
-    drawn = strokes(dimension)
-    for stroke in drawn:
+    for stroke in measure.picture:
         _draw(document, block, stroke)
-    number = next(stroke for stroke in drawn if isinstance(stroke, Words))
-    space.new_entity(
+    words = next(stroke for stroke in measure.picture if isinstance(stroke, Words))
+    points = [(*_at(point), 0.0) for point in measure.points]
+    kind, names = POINTS[measure.kind]
+    entity: Any = space.new_entity(
         "DIMENSION",
         {
-            "layer": dimension.layer,
+            "layer": measure.layer,
             "dimstyle": STYLE,
             "geometry": block.name,
-            "dimtype": 32,
-            "text": _clean(written(dimension)),
-            "angle": 90.0 if dimension.upright else 0.0,
-            "defpoint": (*_at(dimension.line), 0.0),
-            "defpoint2": (*_at(dimension.start), 0.0),
-            "defpoint3": (*_at(dimension.end), 0.0),
-            "text_midpoint": (*_at(number.at), 0.0),
-        },
+            "dimtype": OWN_BLOCK | kind,
+            "text": MEASURED,
+            "text_midpoint": (*_at(words.at), 0.0),
+            **dict(zip(names, points)),
+        }
+        | ({"angle": math.degrees(measure.turned)} if measure.kind == "length" else {}),
     )
+    entity.set_acad_dstyle(_style_of(measure.inscription, measure.kind))
+
+
+def _style_of(inscription: Inscription, kind: str) -> dict[str, object]:
+    """How a dimension differs from its style: what stands around its number, its decimals, its deviations."""
+    own: dict[str, object] = {"dimadec" if kind == "angle" else "dimdec": inscription.digits}
+    if inscription.post != MEASURED and kind != "angle":
+        own["dimpost"] = inscription.post.replace("⌀", DIAMETER)
+    if inscription.deviations is not None:
+        lower, upper = inscription.deviations
+        places = max(len(f"{x:.4f}".rstrip("0").partition(".")[2]) for x in (lower, upper))
+        own |= {"dimtol": 1, "dimtp": upper, "dimtm": -lower, "dimtdec": places}
+    return own
 
 
 def _at(point: Point) -> tuple[float, float]:
@@ -202,4 +255,4 @@ def _at(point: Point) -> tuple[float, float]:
 def _clean(text: str) -> str:
     """A text of one line: a line break would end its tag, and a caret begins a control character."""
     printed = "".join(letter if letter.isprintable() else " " for letter in text)
-    return " ".join(printed.split()).replace("^", "^ ")
+    return " ".join(printed.split()).replace("^", "^ ").replace("⌀", DIAMETER)

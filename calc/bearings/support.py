@@ -292,12 +292,14 @@ class Solids:
 @record
 class TurnedJournal:
     """How the place of a bearing on its shaft is turned: limits of its diameter, m, where these are given, else its
-    field; its roughness Ra, m.  None: not said.  `assumed`: the field is the program's, which judges by it."""
+    field; its roughness Ra, m; how far it may be from a cylinder, m.  None: not said.  `assumed`: the field is the
+    program's, which judges by it."""
 
     limits: tuple[Metre, Metre] | None = None
     field: ToleranceField | None = None
     texture: Metre | None = None
     assumed: bool = False
+    form: Metre | None = None
 
 
 R = TypeVar("R", bound=Carrying)

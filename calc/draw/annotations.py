@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A part of a sheet while it is drawn: its marks before it has its place, signs, and numbers as a drawing has them.
+"""A part of a sheet while it is drawn: its marks before it has its place, sizes and cutting planes.
 
 Marks are in millimetres on the paper."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
+from typing import Literal
 
 from ..sheet.record import replace
-from ..sheet.text import Amount, Name, Text
-from ..sheet.units import UNITS, Metre, Radian
 from .drawing import (
     CUT,
     DIMENSION,
@@ -16,10 +15,13 @@ from .drawing import (
     TABLE,
     TEXT,
     Arc,
+    Area,
     Box,
     Dimension,
     Hatch,
     Ink,
+    Inscription,
+    Measure,
     Point,
     Polyline,
     Side,
@@ -28,7 +30,8 @@ from .drawing import (
     reach,
     spanned,
 )
-from .lettering import arrow, room, shortened, strokes, width
+from .lettering import arrow, inscribed_width, inscribed_words, room, shortened, strokes, width
+from .sizes import Say as Say
 
 LETTER, TITLE = 2.5, 3.5  # heights of capitals, ISO 3098
 SPACING = 2.0  # of a hatch
@@ -68,12 +71,29 @@ class Leaf:
         self.marks.append(Hatch(HATCH, tuple(tuple(map(_metres, outline)) for outline in outlines), SPACING * _MM))
 
     def dimension(
-        self, start: Point, end: Point, line: float, label: str, *, upright: bool = False, shift: float = 0.0
+        self, start: Point, end: Point, line: float, size: Inscription, *, upright: bool = False, shift: float = 0.0
     ) -> None:
         """A distance along the sheet, or up it; `line`: where its dimension line lies across that."""
         at = (line, start[1]) if upright else (start[0], line)
-        ends, high = (_metres(start), _metres(end), _metres(at)), LETTER * _MM
-        self.marks.append(Dimension(DIMENSION, *ends, high, upright, shift=shift * _MM, label=Name(label)))
+        first, last, on_line = map(_metres, (start, end, at))
+        shape = Dimension(DIMENSION, first, last, on_line, LETTER * _MM, upright, shift=shift * _MM)
+        turned = math.pi / 2 if upright else 0.0
+        self.marks.append(Measure(DIMENSION, "length", (first, last, on_line), strokes(shape, size), size, turned))
+
+    def measure(
+        self, kind: Literal["length", "radius", "angle"], points: Iterable[Point], picture: "Leaf", size: Inscription
+    ) -> None:
+        """A size whose strokes are drawn already; `points`: as a measure has them, of a length along the sheet's
+        second axis."""
+        drawn = tuple(mark for mark in picture.marks if isinstance(mark, Polyline | Arc | Area | Words))
+        turned = math.pi / 2 if kind == "length" else 0.0
+        self.marks.append(Measure(DIMENSION, kind, tuple(map(_metres, points)), drawn, size, turned))
+
+    def inscribe(self, size: Inscription, x: float, y: float, side: Side = "left") -> None:
+        """A size and its deviations, which begins at x, has its middle there, or ends there."""
+        wide = inscribed_width(size, LETTER)
+        left = x - {"left": 0.0, "centre": wide / 2, "right": wide}[side]
+        self.marks += inscribed_words(size, _metres((left, y)), LETTER * _MM)
 
     def table(self, rows: list[tuple[str, ...]], columns: tuple[float, ...], head: str = "", row: float = 5.0) -> None:
         """Ruled rows below the origin, the first column's words on its left; a head stands above them.  Of two columns
@@ -113,10 +133,8 @@ def corners(mark: Ink) -> Iterable[Point]:
         case Words():
             left, low, right, top = room(mark)
             return (left, low), (right, top)
-        case Dimension():
-            return [point for stroke in strokes(mark) for point in corners(stroke)]
-        case Hatch(outlines=outlines):
-            return [point for outline in outlines for point in outline]
+        case Measure(picture=picture):
+            return [point for stroke in picture for point in corners(stroke)]
         case _:
             return reach(mark)
 
@@ -126,41 +144,10 @@ def _metres(point: Point) -> Point:
 
 
 # --- signs of a drawing
-# A diameter on its shelf, a surface's roughness (ISO 21920-1), the ends of a cutting plane (ISO 128-3).
+# The ends of a cutting plane (ISO 128-3), radii and angles.
 
-SLOPE = math.tan(math.pi / 3)
-SHORT_LEG, LONG_LEG = 3.5, 7.0  # heights of the two legs of the sign of a surface
 GAP = 1.0
 MARK, TAIL = 5.5, 7.0  # a cutting plane's end, and the arrow on it
-
-
-def sign_width(texture: str) -> float:
-    return (SHORT_LEG + LONG_LEG) / SLOPE + width(texture, LETTER) + GAP if texture else 0.0
-
-
-def roughness(leaf: Leaf, texture: str, x: float, y: float) -> None:
-    """The sign that leaves the process open, standing on a line at y; its value below its bar."""
-    foot = x + SHORT_LEG / SLOPE
-    bend = foot + LONG_LEG / SLOPE
-    end = bend + width(texture, LETTER) + GAP
-    leaf.line(DIMENSION, (x, y + SHORT_LEG), (foot, y), (bend, y + LONG_LEG), (end, y + LONG_LEG))
-    leaf.words(texture, bend, y + LONG_LEG - LETTER - GAP, layer=DIMENSION)
-
-
-def shelf_size(label: str, texture: str) -> tuple[float, float]:
-    """Width and height of what stands on a shelf."""
-    wide = width(label, LETTER) + 2 * GAP
-    return (wide + sign_width(texture) + 2 * GAP, LONG_LEG + GAP) if texture else (wide, LETTER + 2 * GAP)
-
-
-def shelf(leaf: Leaf, foot: Point, y: float, right: bool, label: str, texture: str = "") -> None:
-    """A line up from `foot`, and on the line that it bends into a label and a surface's sign."""
-    wide, _ = shelf_size(label, texture)
-    left = foot[0] if right else foot[0] - wide
-    leaf.line(DIMENSION, foot, (foot[0], y), (foot[0] + (wide if right else -wide), y))
-    leaf.words(label, left + GAP, y + GAP, layer=DIMENSION)
-    if texture:
-        roughness(leaf, texture, left + 3 * GAP + width(label, LETTER), y)
 
 
 def cutting_plane(leaf: Leaf, letter: str, x: float, high: float, low: float) -> list[Box]:
@@ -177,84 +164,44 @@ def cutting_plane(leaf: Leaf, letter: str, x: float, high: float, low: float) ->
     return boxes
 
 
-def radius(leaf: Leaf, centre: Point, length: float, angle: float, label: str, out: float) -> None:
+def radius(leaf: Leaf, centre: Point, length: float, angle: float, size: Inscription, out: float) -> None:
     """A radius by an arrow from outside: its tip on the arc, its label on a shelf away from the middle."""
     tip, end = _polar(centre, length, angle), _polar(centre, out, angle)
-    _leader(leaf, tip, angle + math.pi, end, math.cos(angle) >= 0, label)
+    picture = _leader(tip, angle + math.pi, end, math.cos(angle) >= 0, size)
+    leaf.measure("radius", (centre, tip), picture, size)
 
 
-def through(leaf: Leaf, length: float, angle: float, back: float, label: str) -> None:
+def through(leaf: Leaf, length: float, angle: float, back: float, size: Inscription) -> None:
     """A radius by an arrow from inside: its line comes through the centre, from a shelf on the other side."""
     tip, end = _polar((0.0, 0.0), length, angle), _polar((0.0, 0.0), back, angle + math.pi)
-    _leader(leaf, tip, angle, end, end[0] >= 0, label)
+    leaf.measure("radius", ((0.0, 0.0), tip), _leader(tip, angle, end, end[0] >= 0, size), size)
 
 
-def _leader(leaf: Leaf, tip: Point, angle: float, end: Point, right: bool, label: str) -> None:
-    """An arrow whose line bends at its other end, to the right or to the left, and bears a label there."""
-    wide = width(label, LETTER) + GAP
+def _leader(tip: Point, angle: float, end: Point, right: bool, size: Inscription) -> Leaf:
+    """An arrow whose line bends at its other end, to the right or to the left, and bears a size there."""
+    leaf, wide = Leaf(), inscribed_width(size, LETTER) + GAP
     leaf.line(DIMENSION, tip, end, (end[0] + (wide if right else -wide), end[1]))
     leaf.arrow(tip, angle)
-    leaf.words(label, end[0] + (GAP if right else -GAP), end[1] + GAP, "left" if right else "right", layer=DIMENSION)
+    leaf.inscribe(size, end[0] + (GAP if right else -GAP), end[1] + GAP, "left" if right else "right")
+    return leaf
 
 
-def angle(leaf: Leaf, centre: Point, inner: float, at: float, start: float, end: float, label: str) -> None:
+def angle(leaf: Leaf, centre: Point, inner: float, at: float, start: float, end: float, size: Inscription) -> None:
     """The angle between two directions, on an arc of radius `at`; the number outside its middle."""
+    picture = Leaf()
     for side in (start, end):
-        leaf.line(DIMENSION, _polar(centre, inner + GAP, side), _polar(centre, at + 2 * GAP, side))
-    leaf.arc(DIMENSION, centre, at, start, end)
+        picture.line(DIMENSION, _polar(centre, inner + GAP, side), _polar(centre, at + 2 * GAP, side))
+    picture.arc(DIMENSION, centre, at, start, end)
     back = 0.5 * 3.0 / at  # an arrow on an arc lies along its chord
-    leaf.arrow(_polar(centre, at, start), start - math.pi / 2 + back)
-    leaf.arrow(_polar(centre, at, end), end + math.pi / 2 - back)
+    picture.arrow(_polar(centre, at, start), start - math.pi / 2 + back)
+    picture.arrow(_polar(centre, at, end), end + math.pi / 2 - back)
     middle = (start + end) / 2
     x, y = _polar(centre, at + 1.5 * GAP, middle)
-    aside, higher = math.cos(middle) * width(label, LETTER) / 2, (math.sin(middle) - 1) * LETTER / 2
-    leaf.words(label, x + aside, y + higher, "centre", layer=DIMENSION)
+    aside = math.cos(middle) * inscribed_width(size, LETTER) / 2
+    picture.inscribe(size, x + aside, y + (math.sin(middle) - 1) * LETTER / 2, "centre")
+    ends = (_polar(centre, inner, side) for side in (start, end))
+    leaf.measure("angle", (*ends, centre, _polar(centre, at, middle)), picture, size)
 
 
 def _polar(centre: Point, radius: float, angle: float) -> Point:
     return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
-
-
-# --- numbers as a drawing has them
-# Rounded, without zeros behind, in the language of the sheet.
-
-Say = Callable[[str], str]
-ALIKE = 1e-9  # m
-FINE, COARSE = 2, 1  # decimals of a length that the design gives, and of one that follows from masses
-GIVEN = 1e-4  # mm: what is so close to a hundredth is given
-
-
-def number(x: float, digits: int) -> Amount:
-    """Rounded to so many decimals, without zeros behind them."""
-    return Amount(round(x, digits) + 0.0, form=".12g")
-
-
-def millimetres(length: Metre, digits: int = FINE) -> Amount:
-    return number(UNITS["mm"].shown(length), digits)
-
-
-def rounded(length: Metre) -> Amount:
-    """A length as a drawing has it: 27.51 that only follows from a mass is 27.5, but 26.25 that is given stays."""
-    shown = UNITS["mm"].shown(length)
-    return number(shown, FINE if abs(shown - round(shown, FINE)) < GIVEN else COARSE)
-
-
-def degrees(angle: Radian, digits: int = COARSE) -> Text:
-    return Text("{angle}°", angle=number(math.degrees(angle), digits))
-
-
-def alone(amount: Amount) -> Text:
-    return Text("{number}", number=amount)
-
-
-def signed(length: Metre) -> Amount:
-    """A deviation with its sign; 0 has none."""
-    shown = round(UNITS["mm"].shown(length), 4) + 0.0
-    return Amount(shown, form="+.12g" if shown else "g")
-
-
-def deviated(size: Text, lower: Metre, upper: Metre) -> Text:
-    """A size with its deviations; those that differ by their sign alone stand together."""
-    if abs(lower + upper) < ALIKE:
-        return Text("{size} ±{deviation}", size=size, deviation=millimetres(upper, 4))
-    return Text("{size} ({upper}/{lower})", size=size, upper=signed(upper), lower=signed(lower))

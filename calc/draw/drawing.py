@@ -108,9 +108,42 @@ class Dimension:
     label: Text = EMPTY
 
 
+Stroke = Polyline | Arc | Area | Words
+
+
+@record
+class Inscription:
+    """What is written on a measure: `words` ("⌀59.5 h6"), and behind them the deviations, the upper over the lower.
+
+    `post`: the words with <> in place of the number, which has so many `digits`; `deviations`: lower and upper, in
+    millimetres, of what is written so or as ± in the words."""
+
+    words: str
+    upper: str = ""
+    lower: str = ""
+    post: str = "<>"
+    digits: int = 2
+    deviations: tuple[float, float] | None = None
+
+
+@record
+class Measure:
+    """A size on a drawing sheet: the strokes that show it, and the points between which a CAD program measures it.
+
+    Of a length they are both ends and a point on its line, which runs in the direction `turned`; of a radius the centre
+    and a point on the arc; of an angle a point on either side, anticlockwise, the centre, and a point on its arc."""
+
+    layer: str
+    kind: Literal["length", "radius", "angle"]
+    points: tuple[Point, ...]
+    picture: tuple[Stroke, ...]
+    inscription: Inscription
+    turned: Radian = 0.0
+
+
 Primitive = Polyline | Arc | Words | Dimension  # of drawings to scale
 Mark = Primitive | Area  # of sketches
-Ink = Mark | Hatch  # of drawing sheets
+Ink = Stroke | Hatch | Measure  # of drawing sheets
 Drawn = TypeVar("Drawn", bound=Ink)
 
 
@@ -145,7 +178,7 @@ def spanned(points: Iterable[Point]) -> Box:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def reach(mark: Mark) -> Iterable[Point]:
+def reach(mark: Mark | Hatch | Measure) -> Iterable[Point]:
     """Points that span a primitive."""
     match mark:
         case Polyline(points=points):
@@ -154,12 +187,19 @@ def reach(mark: Mark) -> Iterable[Point]:
             quarters = range(math.ceil(start / (math.pi / 2)), math.floor(end / (math.pi / 2)) + 1)
             angles = (start, end, *(quarter * math.pi / 2 for quarter in quarters))
             return [(x + r * math.cos(angle), y + r * math.sin(angle)) for angle in angles]
-        case Area(outlines=outlines):
+        case Area(outlines=outlines) | Hatch(outlines=outlines):
             return [point for outline in outlines for point in outline]
+        case Measure(picture=picture):
+            return [point for stroke in picture for point in reach(stroke)]
         case Words(at=at):
             return (at,)
         case Dimension(start=start, end=end, line=(x, y), upright=upright):
             return [(x, start[1]), (x, end[1])] if upright else [(start[0], y), (end[0], y)]
+
+
+def strokes_of(mark: Ink) -> tuple[Ink, ...]:
+    """What is drawn of a mark: of a measure its strokes, else itself."""
+    return mark.picture if isinstance(mark, Measure) else (mark,)
 
 
 def moved(mark: Drawn, dx: Metre, dy: Metre) -> Drawn:
@@ -185,9 +225,9 @@ def _changed(mark: Ink, to: Callable[[Point], Point], by: float) -> Ink:
             return replace(mark, outlines=outlines, spacing=by * mark.spacing)
         case Words():
             return replace(mark, at=to(mark.at), height=by * mark.height)
-        case Dimension():
-            start, end, line = to(mark.start), to(mark.end), to(mark.line)
-            return replace(mark, start=start, end=end, line=line, height=by * mark.height, shift=by * mark.shift)
+        case Measure():
+            picture = tuple(cast("Stroke", _changed(stroke, to, by)) for stroke in mark.picture)
+            return replace(mark, points=tuple(map(to, mark.points)), picture=picture)
 
 
 def round_outline(centre: Point, radius: Metre, corners: int = 48) -> tuple[Point, ...]:

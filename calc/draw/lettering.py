@@ -9,7 +9,7 @@ CAD programs are narrower."""
 from functools import cache
 
 from ..sheet.units import UNITS, Metre
-from .drawing import DIMENSION, Area, Box, Dimension, Point, Polyline, Words
+from .drawing import DIMENSION, Area, Box, Dimension, Inscription, Point, Polyline, Stroke, Words
 
 BELOW = 0.33  # of the height of a capital: how far letters reach below their line
 WIDE = 1.4  # of what is not in the table
@@ -75,16 +75,15 @@ BEYOND = 0.8  # how far an extension line goes on,
 TAIL = 2.0  # and the dimension line beside arrows that stand outside, in arrows
 TIGHT = 2.2  # arrows: in less they stand outside
 
-Stroke = Polyline | Area | Words
 
-
-def strokes(dimension: Dimension) -> tuple[Stroke, ...]:
-    """What is drawn of a dimension, number and arrows included."""
+def strokes(dimension: Dimension, inscription: Inscription | None = None) -> tuple[Stroke, ...]:
+    """What is drawn of a dimension, number and arrows included; `inscription`: what stands there in place of its own
+    words."""
     h, n = dimension.height, 1 if dimension.upright else 0
     first, last = sorted((dimension.start, dimension.end), key=lambda point: point[n])
     a, b, level = first[n], last[n], dimension.line[1 - n]
-    number = written(dimension)
-    middle, half = (a + b) / 2 + dimension.shift, width(number, h) / 2
+    inscribed = inscription or Inscription(written(dimension))
+    middle, half = (a + b) / 2 + dimension.shift, inscribed_width(inscribed, h) / 2
     tail = TAIL * ARROW * h if outside(b - a, h) else 0.0
     left, right = a, b
     if dimension.shift or tail:
@@ -99,8 +98,43 @@ def strokes(dimension: Dimension) -> tuple[Stroke, ...]:
     marks += [Polyline(DIMENSION, (_at(left, level, n), _at(right, level, n)))]
     marks += [arrow(_at(a, level, n), _at(-way, 0.0, n), h), arrow(_at(b, level, n), _at(way, 0.0, n), h)]
     above = level - OFF * h if dimension.upright else level + OFF * h
-    marks.append(Words(DIMENSION, _at(middle, above, n), number, h, side="centre", turned=dimension.upright))
-    return tuple(marks)
+    return (*marks, *inscribed_words(inscribed, _at(middle - half, above, n), h, turned=dimension.upright))
+
+
+# --- a size and its deviations: the lower on the line of the size, the upper above it, in letters of the same height
+
+STACK = 1.5  # from the line of the lower deviation to that of the upper one
+APART = 0.5  # from the size to its deviations
+
+
+def inscribed_width(inscription: Inscription, height: float) -> float:
+    deviations = max(_deviation_width(text, height) for text in (inscription.upper, inscription.lower))
+    return width(inscription.words, height) + (APART * height + deviations if deviations else 0.0)
+
+
+def inscribed_height(inscription: Inscription, height: float) -> float:
+    return height + STACK * height * bool(inscription.upper)
+
+
+def inscribed_words(inscription: Inscription, at: Point, height: float, *, turned: bool = False) -> tuple[Words, ...]:
+    """The size from a place on, its deviations behind it."""
+    n = 1 if turned else 0
+    words = [Words(DIMENSION, at, inscription.words, height, turned=turned)]
+    along, across = at[n] + width(inscription.words, height) + APART * height, at[1 - n]
+    up = -STACK * height if turned else STACK * height
+    for text, level in ((inscription.upper, across + up), (inscription.lower, across)):
+        if text:
+            words.append(Words(DIMENSION, _at(along + _sign(text, height), level, n), text, height, turned=turned))
+    return tuple(words)
+
+
+def _deviation_width(text: str, height: float) -> float:
+    return _sign(text, height) + width(text, height) if text else 0.0
+
+
+def _sign(text: str, height: float) -> float:
+    """The room that a 0, which has no sign, leaves for one: digits stand under digits."""
+    return width("−", height) if text == "0" else 0.0
 
 
 def outside(length: Metre, height: Metre) -> bool:

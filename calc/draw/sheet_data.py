@@ -1,203 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands beside the views: the data of the teeth (ISO 1340, symbols of ISO 21771), balancing, masses, notes.
-
-Balancing as ISO 21940-11 has it."""
+"""What stands beside the views of a shaft: balancing (ISO 21940-11), masses, and the notes."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from ..library.tolerances import ISO, deviations
-from ..sheet.quantity import published
-from ..sheet.record import record
+from ..library.tolerances import ISO
 from ..sheet.text import COMMA, Amount, Name, Text
-from ..sheet.units import UNITS, KilogramMetre, Metre
-from .annotations import ALIKE, Rows, Say, alone, degrees, deviated, millimetres, number
-from .shaft_outline import drawn
+from ..sheet.units import UNITS, KilogramMetre
+from . import defaults
+from .annotations import Rows, Say
+from .gear_data import tooth_notes
+from .sizes import alone, degrees, millimetres, number
+from .turned import journals, missing, shaft_wheel
 
 if TYPE_CHECKING:
-    from ..countershaft.outline import Piece
     from ..countershaft.result import CountershaftResult
-    from ..friction.inputs import FrictionInputs
-    from ..gears.inputs import GearsInputs
-    from ..gears.result import TrainResult, WheelResult
     from ..solve import Results
 
 
-# --- what of a solved design stands on the drawing of its shaft
-# Its pieces with their sizes, and what the design does not say.
-
-GIVEN = ("journal", "gear", "full")  # pieces whose length and diameter the design gives
-
-
-@record
-class TurnedPiece:
-    """A piece of the shaft as it is drawn: where it begins and ends, how large it is, and what is written on it.
-
-    `radius`: what is seen, of a gear that of its tips; `texture`: Ra in micrometres.
-    """
-
-    piece: "Piece"
-    start: Metre
-    end: Metre
-    radius: Metre
-    label: Text | None = None
-    texture: Text | None = None
-
-
-def shaft_wheel(results: "Results") -> "WheelResult | None":
-    """The wheel on the shaft; none where a sprocket alone turns it."""
-    train, shaft = results.train, results.design.countershaft
-    if train is None or shaft is None or shaft.name not in train.shafts:
-        return None
-    return train.wheels.get(train.shafts[shaft.name].wheel)
-
-
-def turned(results: "Results", solved: "CountershaftResult") -> list[TurnedPiece]:
-    """The pieces front to rear, each beginning where the last one ends; what the design gives keeps its length."""
-    shaft, wheel = results.design.countershaft, shaft_wheel(results)
-    assert solved.outline is not None and shaft is not None
-    pieces = drawn(solved.outline)
-    # where two pieces meet rounding may leave a step, and that of the one that the design gives counts
-    between = (a.end if a.what in GIVEN else b.start for a, b in pairwise(pieces))
-    ends = [pieces[0].start, *between, solved.outline.end]
-    turned_pieces = []
-    for piece, (start, end) in zip(pieces, pairwise(ends)):
-        radius, label, texture = piece.outer_radius, None, None
-        if piece.what == "gear" and wheel is not None:
-            radius, label = wheel.tip_diameter / 2, tips(wheel)
-        elif piece.what in GIVEN:
-            support = next((z for z in shaft.bearing_positions if start <= z <= end), None)
-            label, texture = _cylinder(results, piece, support)
-        turned_pieces.append(TurnedPiece(piece, start, end, radius, label, texture))
-    return turned_pieces
-
-
-def _diameter(radius: Metre) -> Text:
-    return Text("⌀{diameter}", diameter=millimetres(2 * radius))
-
-
-def tips(wheel: "WheelResult") -> Text:
-    """The tip diameter of a wheel, with its tolerance where the design gives one."""
-    size, low, high = _diameter(wheel.tip_diameter / 2), wheel.tip_diameter_min, wheel.tip_diameter_max
-    return size if low is None or high is None else deviated(size, low - wheel.tip_diameter, high - wheel.tip_diameter)
-
-
-def _cylinder(results: "Results", piece: "Piece", support: Metre | None) -> tuple[Text, Text | None]:
-    """Its diameter; where it runs in a bearing with its fit, as far as the design gives one, and its roughness."""
-    size, bearings, shaft = _diameter(piece.outer_radius), results.design.bearings, results.design.countershaft
-    if bearings is None or shaft is None or support is None:
-        return size, None
-    bearing = next(row for row in shaft.bearings if row.position == support)
-    journal = results.kind_of(bearing).turned(bearing, bearings)
-    if journal.limits is not None:
-        size = deviated(size, *(limit - 2 * piece.outer_radius for limit in journal.limits))
-    elif (field := journal.field) is not None:
-        named = Text("{size} {field}", size=size, field=str(field)) if field.letter else size
-        size = deviated(named, *deviations(field, 2 * piece.outer_radius))
-    return size, None if journal.texture is None else _roughness(journal.texture)
-
-
-def _roughness(Ra: Metre) -> Text:
-    return Text("Ra {ra}", ra=number(UNITS["µm"].shown(Ra), 2))
-
-
-def missing(results: "Results") -> Iterator[Text]:
-    """What a drawing needs and this design does not give; nothing is put in its place."""
-    bearings, shaft = results.design.bearings, results.design.countershaft
-    rows = results.design.rows if bearings is not None else ()
-    journals = [results.kind_of(row).turned(row, bearings) for row in rows if bearings is not None]
-    if not journals or any(journal.limits is None and journal.field is None for journal in journals):
-        yield Text("fits of the journals")
-    if not journals or any(journal.texture is None for journal in journals):
-        yield Text("roughness of the journals")
-    yield Text("heat treatment")
-    yield Text("general and geometrical tolerances")
-    yield Text("roughness elsewhere")
-    yield Text("chamfers and centre holes")
-    if shaft is not None and shaft.fillet_radius is None:
-        yield Text("fillets")
-    if shaft is not None and shaft.holes is not None:
-        yield Text("places of the calibration holes")
-    if bearings is not None and any(row.fed() and bearings.of(row).supply == "shaft" for row in rows):
-        yield Text("oil ways in the shaft")
-
-
-# --- the tables and notes
-
 PART_DRAWING = Text("Part drawing")
-HANDS = {"left": Text("left"), "right": Text("right")}
-SIZE = 3  # decimals of a tooth's sizes
 
 
-def gear_rows(results: "Results", wheel: "WheelResult", say: Say) -> Rows:
-    """A label and what is said, in the order in which a gear is cut, measured and paired."""
-    train, gears = results.train, results.design.gears
-    assert train is not None and gears is not None
-    rows = [*_teeth(train, wheel, gears), *_sizes(wheel), *_mates(train, wheel)]
-    if (friction := results.design.friction) is not None and (Ra := _flanks(friction, train, wheel.name)) is not None:
-        rows.append((Text("Roughness of the flanks"), _roughness(Ra)))
-    wheel_inputs = next(inputs for inputs in gears.wheels if inputs.name == wheel.name)
-    if wheel_inputs.gear_material is not None:
-        rows.append((Text("Strength class, ISO 6336-5"), Name(wheel_inputs.gear_material)))
-    if wheel_inputs.hardness is not None:
-        rows.append((Text("Surface hardness"), Text("{hardness} HV", hardness=number(wheel_inputs.hardness, 0))))
-    return [(say(label), say(value)) for label, value in rows]
-
-
-def _teeth(train: "TrainResult", wheel: "WheelResult", gears: "GearsInputs") -> Iterator[tuple[Text, Text]]:
-    s = train.system
-    yield Text("Normal module"), alone(millimetres(s.m_n, SIZE))
-    yield Text("Number of teeth"), Text("{z}", z=wheel.teeth)
-    yield Text("Normal pressure angle"), degrees(s.alpha_n, SIZE)
-    if s.beta:
-        hand = HANDS[gears.hands()[wheel.name]]
-        yield Text("Helix angle, hand"), Text("{angle}, {hand}", angle=degrees(s.beta, SIZE), hand=hand)
-    tool = Text("{h} / {rho} modules", h=number(s.h_aP0, SIZE), rho=number(s.rho_aP0, SIZE))
-    yield Text("Tool: addendum, tip radius"), tool
-    yield Text("Profile shift"), alone(number(wheel.profile_shift, 4))
-    yield Text("Accuracy grade, ISO 1328-1"), Text("{grade}", grade=gears.accuracy_grade)
-
-
-def _sizes(wheel: "WheelResult") -> Iterator[tuple[Text, Text]]:
-    yield Text("Reference diameter"), alone(millimetres(wheel.reference_diameter, SIZE))
-    yield Text("Base diameter"), alone(millimetres(wheel.base_diameter, SIZE))
-    yield Text("Root diameter"), _from_to(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)
-    known = {value.id.removeprefix("."): value for value in published(wheel, "")}
-    span = f"span_{round(wheel.span_teeth)}"
-    if span in known:
-        size = alone(number(known[span].shown, SIZE))
-        if wheel.allowance is not None:
-            size = deviated(size, min(wheel.allowance), max(wheel.allowance))
-        yield Text("Span over {k} teeth", k=round(wheel.span_teeth)), size
-    if wheel.over_balls is not None:
-        label = Text("Size over balls ⌀{ball}", ball=millimetres(wheel.ball_diameter, SIZE))
-        yield label, _from_to(wheel.over_balls, wheel.over_balls_min, wheel.over_balls_max)
-
-
-def _from_to(size: float, low: float | None, high: float | None) -> Text:
-    if low is None or high is None or abs(high - low) < ALIKE:
-        return alone(millimetres(size, SIZE))
-    return Text("{low} to {high}", low=millimetres(low, SIZE), high=millimetres(high, SIZE))
-
-
-def _mates(train: "TrainResult", wheel: "WheelResult") -> Iterator[tuple[Text, Text]]:
-    for mate, _, mesh in train.mates(wheel.name):
-        yield Text("Mating wheel, teeth"), Text("{mate}, {z}", mate=Name(mate), z=train.wheels[mate].teeth)
-        size, tolerance = alone(millimetres(mesh.centre_distance, SIZE)), mesh.centre_tolerance
-        yield Text("Centre distance"), deviated(size, -tolerance, tolerance) if tolerance else size
-
-
-def _flanks(friction: "FrictionInputs", train: "TrainResult", wheel: str) -> float | None:
-    """Ra of the flanks of one wheel: that of all, or that of its place in its first mesh."""
-    Ra = friction.flank_roughness
-    if len(Ra) == 1:
-        return Ra[0]
-    pairs = ((mesh.driver, mesh.driven) for mesh in train.meshes.values())
-    return next((Ra[pair.index(wheel)] for pair in pairs if wheel in pair), None)
-
-
+# --- the tables
 def balance_rows(results: "Results", solved: "CountershaftResult", say: Say) -> Rows:
     """The grade, the speed that it is for, and what it permits in each plane; empty where the mass of the shaft is not
     known."""
@@ -249,46 +74,51 @@ def notes(
         angle=degrees(up % (2 * math.pi)),
     )
     if solved.outline is not None and solved.outline.derived:
-        yield Text(
-            "Sectors follow from mass and centre of gravity of the eccentric masses; shoulders are put together from "
-            "the design."
-        )
+        yield Text("Sectors follow from the eccentric masses; shoulders are put together from the design.")
     if shaft.bore_diameter:
         yield Text("Bored through, ⌀{d}.", d=millimetres(shaft.bore_diameter))
     if shaft.sector_material is not None:
         yield Text("Sectors of {material}.", material=shaft.sector_material)
     if solved.tolerance is not None:
-        yield Text(
-            "The residual unbalance is measured against the masses in the table, which are out of balance on purpose."
-        )
+        yield Text("The residual unbalance is measured against the masses in the table, which are meant.")
     if shaft.holes is not None:
         yield Text(
-            "{n} holes ⌀{d}, at most {h} deep, radial, evenly in the eccentric masses, drilled as the balancing asks.",
+            "{n} holes ⌀{d}, at most {h} deep, radial, evenly in the masses, drilled as the balancing asks.",
             n=shaft.holes.count,
             d=millimetres(shaft.holes.diameter),
             h=millimetres(shaft.holes.depth),
         )
     if shaft.fillet_radius is not None:
-        yield Text("Fillets at the shoulders R{radius}.", radius=millimetres(shaft.fillet_radius))
+        yield Text(
+            "Fillets at the shoulders R{radius}, none smaller: the strength is calculated with it. An undercut in its "
+            "place, no radius of it smaller, goes into the face alone.",
+            radius=millimetres(shaft.fillet_radius),
+        )
+    yield Text("Centre holes (ISO 6411) may remain at both ends.")
     if (bearings := results.design.bearings) is not None and (clearances := _clearances(results)):
         yield Text(
             "Diametral clearance of the journals in their bearings at {T} °C: {clearances}.",
             T=number(UNITS["°C"].shown(bearings.clearance_reference_temperature), 1),
             clearances=COMMA.join(clearances),
         )
-    yield from chosen(data, shaft=shaft.name, more=_assumed_fits(results))
+    if (wheel := shaft_wheel(results)) is not None:
+        yield from tooth_notes(wheel)
+    yield defaults.said()
+    yield from defaults.of_zones(results)
+    yield from chosen(data, shaft=shaft.name, more=_assumed_fields(results))
     yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results)))
 
 
-def _assumed_fits(results: "Results") -> Iterator[Text]:
-    """By which fit the journals are judged and drawn that the design gives none."""
-    bearings = results.design.bearings
-    rows = results.design.rows if bearings is not None else ()
-    turned_rows = [(row, results.kind_of(row).turned(row, bearings)) for row in rows if bearings is not None]
-    assumed = [(row, journal) for row, journal in turned_rows if journal.assumed and journal.limits is None]
+def _assumed_fields(results: "Results") -> Iterator[Text]:
+    """By which fields tips and journals are drawn, and these judged, that the design gives none."""
+    if (wheel := shaft_wheel(results)) is not None and wheel.tip_diameter_min is None:
+        yield defaults.of_tips()
+    found = journals(results)
+    names = [row for row in results.design.rows if row.name in found]
+    assumed = [row for row in names if found[row.name].assumed and found[row.name].limits is None]
     if assumed:
-        fit, places = str(assumed[0][1].field), COMMA.join(row.in_words for row, _ in assumed)
-        whole = len(assumed) == len(turned_rows)
+        fit, places = str(found[assumed[0].name].field), COMMA.join(row.in_words for row in assumed)
+        whole = len(assumed) == len(names)
         yield Text("{fit} of the journals" if whole else "{fit} of the journals {places}", fit=fit, places=places)
 
 

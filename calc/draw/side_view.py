@@ -6,20 +6,23 @@ extension lines of a longer one then pass outside of it."""
 
 import math
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 
 from ..sheet.record import record
-from ..sheet.text import Text
 from ..sheet.units import Metre, Radian
-from .annotations import LETTER, Leaf, Say, alone, cutting_plane, rounded, shelf, shelf_size
+from . import sizes
+from .annotations import LETTER, Leaf, Say, cutting_plane
+from .defaults import general
 from .drawing import CENTRE, DIMENSION, HIDDEN_EDGE, VISIBLE, Box, Point
-from .lettering import ARROW, TAIL, outside, width
+from .indications import OnShelf, Zone, shelf
+from .lettering import ARROW, TAIL, inscribed_width, outside, width
 from .shaft_outline import FLAT, edges, reach
-from .sheet_data import TurnedPiece
+from .turned import TurnedPiece
 
 CLEAR = 0.8  # mm between what stands side by side
 FAR, FURTHEST = 1.0, 400  # mm: steps of a number that has to go further, and how many
-LEVELS = 12  # heights that a shelf tries on either side of its line
+LEVELS = 16  # heights that a shelf tries on either side of its line
+OUTWARDS = 3  # so many of them higher it stands inwards rather than outwards
 STEPS = 8  # places to each side that a number tries before it goes to the next row
 
 
@@ -126,16 +129,16 @@ Place = tuple[float, bool]  # height of a shelf, and whether its words stand to 
 def shelves(
     asked: Sequence[Shelf], bottom: float, step: float, limits: tuple[float, float], taken: Sequence[Box]
 ) -> list[Place]:
-    """Where each shelf stands: its words towards the middle, else outwards; where that can not be, all to the right, as
-    stairs.
+    """Where each shelf stands: its words towards the middle, or outwards where they stand much lower there; where that
+    can not be, all to the right, as stairs.
 
     `bottom`: the lowest shelf; `limits` to the left and the right; `taken`: where nothing may stand.
     """
     middle = sum(limits) / 2
     inner_first = sorted(range(len(asked)), key=lambda n: abs(asked[n].x - middle))
-    heights = [bottom + step * level for level in range(LEVELS)]
+    order = sorted(product(range(LEVELS), (True, False)), key=lambda way: way[0] + OUTWARDS * (not way[1]))
     ways = {
-        n: [(y, right) for right in (asked[n].x <= middle, asked[n].x > middle) for y in heights] for n in inner_first
+        n: [(bottom + step * level, (asked[n].x <= middle) is inwards) for level, inwards in order] for n in inner_first
     }
     places = _placed(asked, inner_first, ways, limits, taken)
     if places is None:
@@ -239,8 +242,9 @@ OVER = 4.0  # how far an axis goes beyond what it is the axis of
 FIRST, NEXT = 9.0, 8.0  # from the view to the first row of dimensions, and from one row to the next
 MARKS = 11.0  # the room of the ends of cutting planes
 SHORT = 0.05  # what is shorter is not drawn
-THERE = 0.3  # where in a piece its diameter is taken, in its length from its outer end
-ROOM = 60.0  # beyond the view, for labels
+DIAMETER, FRAME = 0.3, 0.75  # where in a piece these are, in its length from its outer end
+UNTOLERANCED: Metre = 0.5e-3  # up to here ISO 2768-1 has no general tolerance
+ROOM = 35.0  # beyond the view, for labels
 
 
 class SideView:
@@ -339,36 +343,57 @@ class SideView:
     # --- what is measured
 
     def _diameters(self, leaf: Leaf, marks: list[Box]) -> None:
-        """A shelf for each diameter, its line across the piece with an arrow at either side."""
-        asked, words = [], []
-        middle = (self.left + self.right) / 2
+        """A shelf for each diameter, its line across the piece with an arrow at either side; and one for what limits
+        its shape, with an arrow on its surface."""
+        asked, contents = [], []
         for piece, (high, _) in zip(self.pieces, self.reaches):
-            if piece.label is None:
-                continue
-            a, b = self.by * piece.start, self.by * piece.end
-            x = a + THERE * (b - a) if (a + b) / 2 < middle else b - THERE * (b - a)
-            label, texture = self.say(piece.label), self.say(piece.texture) if piece.texture is not None else ""
-            asked.append(Shelf(x, high, *shelf_size(label, texture)))
-            words.append((label, texture))
+            for there, content in ((DIAMETER, self._diameter(piece)), (FRAME, self._frame(piece))):
+                if content is not None:
+                    asked.append(Shelf(self._along(piece, there), high, content.wide, content.high))
+                    contents.append(content)
         places = shelves(asked, self.top + 4.0, 4.0, (self.left - ROOM, self.right + ROOM), marks)
-        for asked_shelf, (label, texture), (y, right) in zip(asked, words, places):
-            leaf.arrow((asked_shelf.x, asked_shelf.foot), math.pi / 2)
-            leaf.arrow((asked_shelf.x, -asked_shelf.foot), -math.pi / 2)
-            shelf(leaf, (asked_shelf.x, -asked_shelf.foot), y, right, label, texture)
+        for asked_shelf, content, (y, right) in zip(asked, contents, places):
+            shelf(leaf, (asked_shelf.x, -asked_shelf.foot, asked_shelf.foot), y, right, content)
+
+    def _along(self, piece: TurnedPiece, share: float) -> float:
+        """A place in a piece, in its length from its outer end."""
+        a, b = self.by * piece.start, self.by * piece.end
+        return a + share * (b - a) if (a + b) / 2 < (self.left + self.right) / 2 else b - share * (b - a)
+
+    def _diameter(self, piece: TurnedPiece) -> OnShelf | None:
+        if piece.size is None:
+            return None
+        texture = self.say(piece.texture) if piece.texture is not None else ""
+        return OnShelf(piece.size.inscribed(self.say), texture, piece.datum)
+
+    def _frame(self, piece: TurnedPiece) -> OnShelf | None:
+        zones = [
+            Zone(what, self.say(sizes.alone(sizes.millimetres(wide, sizes.MOST))), datum)
+            for what, wide, datum in piece.zones
+        ]
+        return OnShelf(frame=tuple(zones)) if zones else None
 
     def _lengths(self, leaf: Leaf) -> None:
-        """Every piece, the distances of the supports, and the whole; what follows from the others stands in
-        brackets."""
-        asked = [(piece.start, piece.end) for piece in self.pieces] + list(pairwise(self.positions))
+        """Every piece, the distances of the supports, and the whole; what follows from the others stands in brackets,
+        and deviations beside what a bearing or a gear hangs on."""
+        asked = [(piece.start, piece.end, piece.functional) for piece in self.pieces]
+        asked += [(a, b, True) for a, b in pairwise(self.positions)]
         if len(self.pieces) > 1:
-            asked.append((self.pieces[0].start, self.pieces[-1].end))
-        sizes, closing = [alone(rounded(b - a)) for a, b in asked], self._closing()
-        labels = [self.say(Text("({size})", size=size) if n in closing else size) for n, size in enumerate(sizes)]
-        spans = [Span(self.by * a, self.by * b, width(label, LETTER)) for (a, b), label in zip(asked, labels)]
-        for span, label, row in zip(spans, labels, rows(spans, LETTER)):
+            asked.append((self.pieces[0].start, self.pieces[-1].end, False))
+        closing, inscribed = self._closing(), []
+        for n, (a, b, functional) in enumerate(asked):
+            functional = functional or b - a < UNTOLERANCED
+            size = (
+                sizes.auxiliary(b - a) if n in closing else sizes.length(b - a, general(b - a) if functional else None)
+            )
+            inscribed.append(size.inscribed(self.say))
+        spans = [
+            Span(self.by * a, self.by * b, inscribed_width(size, LETTER)) for (a, b, _), size in zip(asked, inscribed)
+        ]
+        for span, words, row in zip(spans, inscribed, rows(spans, LETTER)):
             y = self.low - FIRST - MARKS * self.eccentric - NEXT * row.level
             start, end = ((x, self._foot(x)) for x in (span.start, span.end))
-            leaf.dimension(start, end, y, label, shift=row.shift)
+            leaf.dimension(start, end, y, words, shift=row.shift)
 
     def _closing(self) -> set[int]:
         """Lengths that follow from the others: the last gap between the supports, and the whole."""

@@ -4,18 +4,19 @@
 from collections.abc import Mapping
 from math import pi
 
-from ..draw.annotations import Say
 from ..draw.drawing import Arc, Primitive, Words
 from ..draw.shaft_outline import shaft_drawing
-from ..draw.workshop import shaft_sheet, wheel_sheets
-from ..draw.workshop_sheet import PAPER, Release, WorkshopSheet
+from ..draw.sizes import Say
+from ..draw.wheel_sheet import wheel_sheets
+from ..draw.workshop import shaft_sheet
+from ..draw.workshop_sheet import Release, WorkshopSheet
 from ..gears.profile.drawing import data_table, in_row, reach
 from ..gears.result import TrainResult
 from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
 from ..solve import Results
 
-__all__ = ["PAPER", "WorkshopSheet", "drawable", "shafts", "sheets", "train", "wheels"]
+__all__ = ["WorkshopSheet", "drawable", "shafts", "sheets", "train", "wheels"]
 NONE = Text("–")
 
 

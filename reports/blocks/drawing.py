@@ -7,11 +7,10 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from calc.draw.drawing import LAYERS, Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words, hatch_lines
-from calc.draw.lettering import strokes
+from calc.draw.drawing import LAYERS, Arc, Area, Hatch, Ink, Measure, Point, Polyline, Words, hatch_lines, strokes_of
 from calc.locale.language import in_language
 from calc.sheet.text import EMPTY
-from calc.studies.drawings import PAPER, WorkshopSheet, sheets, wheels
+from calc.studies.drawings import WorkshopSheet, sheets, wheels
 
 from ..context import Context
 from ..figures.spoken import read_out
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
 
 POINTS = 72 / 0.0254  # in a metre
 MM = POINTS / 1000
-PAGE = (PAPER[0] * MM, PAPER[1] * MM)
 CAPITAL = 0.729  # height of a capital over the size of the letters
 CHORD = 0.02 * MM  # how far the pieces of an arc may stand off it
 
@@ -40,8 +38,10 @@ def drawing_blocks(context: Context) -> list[Block]:
 
 
 def _block(sheet: WorkshopSheet, title: str) -> Block:
-    alt = f"{title}: {'; '.join(read_out(mark.text for mark in sheet.marks if isinstance(mark, Words)))}"
-    return Block(0.0, lambda pen, _: _draw(pen, sheet), page=PAGE, content=Picture(), tag=Tag(FIGURE, alt=alt))
+    words = (stroke.text for mark in sheet.marks for stroke in strokes_of(mark) if isinstance(stroke, Words))
+    alt = f"{title}: {'; '.join(read_out(words))}"
+    page = sheet.paper.wide * MM, sheet.paper.high * MM
+    return Block(0.0, lambda pen, _: _draw(pen, sheet), page=page, content=Picture(), tag=Tag(FIGURE, alt=alt))
 
 
 def wheel_blocks(context: Context) -> list[Block]:
@@ -71,8 +71,8 @@ def _mark(pen: Pen, mark: Ink) -> None:
         case Hatch():
             for line in hatch_lines(mark):
                 pen.line(_placed(line), wide, BLACK)
-        case Dimension():
-            for stroke in strokes(mark):
+        case Measure(picture=picture):
+            for stroke in picture:
                 _mark(pen, stroke)
         case Words():
             _words(pen, mark)

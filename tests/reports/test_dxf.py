@@ -11,11 +11,13 @@ import pytest
 from ezdxf import bbox
 from ezdxf.entities.lwpolyline import LWPolylinePoints
 
-from calc.draw.drawing import LAYERS, Dimension, Polyline
-from calc.draw.lettering import written as number
+from calc.design import toml_file
+from calc.draw.drawing import LAYERS, Measure, Polyline
+from calc.draw.shaft_outline import drawn
+from calc.solve import solve
 from calc.studies.drawings import sheets
-from reports.dxf import STYLE, dxf, sheet_dxf
-from tests.conftest import GAMMA, ROOT
+from reports.dxf import MEASURED, STYLE, dxf, sheet_dxf
+from tests.conftest import DESIGNS, GAMMA, ROOT
 
 
 def read(text):
@@ -47,7 +49,9 @@ def test_the_file_is_valid_and_in_millimetres(written):
 
 def test_the_layers_are_those_of_the_sheet_with_their_widths_and_line_types(sheet, written):
     document = read(written)
-    assert {entity.dxf.layer for entity in document.modelspace()} == {mark.layer for mark in sheet.marks} <= set(LAYERS)
+    assert {entity.dxf.layer for entity in document.modelspace()} == {mark.layer for mark in sheet.views} <= set(LAYERS)
+    around = {entity.dxf.layer for entity in document.layout(sheet.paper.name) if entity.dxftype() != "VIEWPORT"}
+    assert around == {mark.layer for mark in sheet.around} <= set(LAYERS)
     for name, layer in LAYERS.items():
         found = document.layers.get(name).dxf
         assert found.lineweight == round(100 * layer.width) and found.color == layer.colour
@@ -79,19 +83,72 @@ def test_the_sections_are_hatched_within_sector_and_core(written):
     assert all(hatch.pattern.lines[0].angle == pytest.approx(45.0) for hatch in found)
 
 
+def test_the_paper_has_a_window_on_the_part_in_the_scale_of_the_sheet(gamma, gamma_results):
+    """Through it every point of the part is seen where the sheet has it."""
+    (sheet,) = sheets(gamma_results, data=gamma.data)
+    document = read(sheet_dxf(sheet))
+    layout = document.layout(sheet.paper.name)
+    (window,) = (port for port in layout.query("VIEWPORT") if port.dxf.id != 1)
+    assert window.get_scale() == pytest.approx(sheet.scale) and window.dxf.status > 1
+    assert not document.layers.get(window.dxf.layer).dxf.plot
+    middle, aim, half = window.dxf.center, window.dxf.view_center_point, (window.dxf.width / 2, window.dxf.height / 2)
+    for mark, full in zip(sheet.views, sheet.part):
+        if isinstance(mark, Polyline):
+            for on_paper, point in zip(mark.points, full.points):
+                seen = [middle[n] + sheet.scale * (1e3 * point[n] - aim[n]) for n in (0, 1)]
+                assert seen == pytest.approx([1e3 * x for x in on_paper], abs=1e-6)
+                assert all(abs(seen[n] - middle[n]) < half[n] for n in (0, 1))
+
+
+def test_the_contour_comes_back_as_the_model_has_it(written, gamma_results):
+    """The part stands about its own origin: z 0 is mid-shaft, y 0 the axis."""
+    contour = max((p for p in shapes(read(written), "LWPOLYLINE", "VISIBLE") if p.closed), key=len)
+    outline = gamma_results.shaft.outline
+    ends = {round(1e3 * z, 6) for piece in drawn(outline) for z in (piece.start, piece.end)}
+    back = sorted({round(x, 6) for x, _ in contour.vertices()})
+    assert back == pytest.approx(sorted({min(ends, key=lambda end: abs(end - x)) for x in back}), abs=0.05)
+    assert (back[0], back[-1]) == pytest.approx((1e3 * outline.start, 1e3 * outline.end))
+    tops = {round(y, 6) for _, y in contour.vertices() if y > 0}
+    radii = {round(1e3 * piece.outer_radius, 6) for piece in outline.pieces if piece.what == "journal"}
+    assert radii <= tops
+
+
 def test_dimensions_measure_what_is_drawn_and_have_the_picture_of_the_sheet(sheet, written):
     document = read(written)
     found = list(shapes(document, "DIMENSION", "DIMENSION"))
-    asked = [mark for mark in sheet.marks if isinstance(mark, Dimension)]
-    assert {d.dxf.dimstyle for d in found} == {STYLE} and [d.dxf.text for d in found] == [
-        number(mark) for mark in asked
-    ]
-    assert [d.get_measurement() for d in found] == pytest.approx(
-        [15.0, 27.5, 0.397, 151.364, 2.143, 151.629, 2.468, 26.5, 335.0, 377.0], abs=0.006
-    )
-    for d in found:
-        (text,) = document.blocks.get(d.dxf.geometry).query("TEXT")
-        assert text.dxf.text == d.dxf.text
+    asked = [mark for mark in sheet.part if isinstance(mark, Measure)]
+    assert {d.dxf.dimstyle for d in found} == {STYLE} and {d.dxf.text for d in found} == {MEASURED}
+    across, of_sections = [57.952, 59.5, 81.0], [182.215, 40.5, 15.0, 181.694, 40.5, 15.0]
+    along = [15.0, 27.5, 0.397, 151.364, 2.143, 151.629, 2.468, 26.5, 335.0, 377.0]
+    assert [d.get_measurement() for d in found] == pytest.approx([*across, *along, *of_sections], abs=0.006)
+    for dimension, mark in zip(found, asked):
+        texts = [text.dxf.text for text in document.blocks.get(dimension.dxf.geometry).query("TEXT")]
+        words = (mark.inscription.words, mark.inscription.upper, mark.inscription.lower)
+        assert texts == [word.replace("⌀", "%%c") for word in words if word]
+
+
+@pytest.mark.parametrize("name", ["r753ie4_gamma", "r753ie4_rolling", "r754ie4_balance_shafts", "timing_pair"])
+def test_what_a_cad_program_writes_is_what_the_sheet_says(name):
+    """The measured size, rounded as the style of the dimension says, between its signs, with its deviations."""
+    document = toml_file.read(DESIGNS / f"{name}.toml")
+    for sheet in sheets(solve(toml_file.design(document)), data=document.data):
+        asked = [mark for mark in sheet.part if isinstance(mark, Measure)]
+        found = list(shapes(read(sheet_dxf(sheet)), "DIMENSION", "DIMENSION"))
+        assert len(found) == len(asked) > 1
+        for dimension, mark in zip(found, asked):
+            style, said = dimension.override(), mark.inscription
+            digits = style.get("dimadec" if mark.kind == "angle" else "dimdec")
+            size = f"{round(dimension.get_measurement(), digits):.12g}"
+            words = f"{size}°" if mark.kind == "angle" else (style.get("dimpost") or "<>").replace("<>", size)
+            plain = said.words.partition(" ±")[0].replace("⌀", "%%c")
+            assert words == plain
+            assert bool(style.get("dimtol")) is (said.deviations is not None)
+            if said.deviations is not None:
+                lower, upper = said.deviations
+                assert (-style.get("dimtm"), style.get("dimtp")) == pytest.approx((lower, upper))
+                if said.upper:
+                    signs = [float(text.replace("−", "-")) for text in (said.lower, said.upper)]
+                    assert signs == pytest.approx([lower, upper], abs=1e-9)
 
 
 @pytest.mark.parametrize("name", ["two\nlines\r\n 0\nEOF", "caret ^J and 100 %%u", "\t\x00 tab", "", "日本語 ⌀"])
@@ -100,8 +157,8 @@ def test_a_name_can_not_break_the_file(name, gamma_results):
     document = read(sheet_dxf(sheets(results)[0]))
     assert not document.audit().errors
     plain = " ".join("".join(c if c.isprintable() else " " for c in name).split())
-    texts = [text.plain_text().replace("^ ", "^") for text in shapes(document, "TEXT", "TABLE")]
-    assert f"Title, part of {plain}".replace("%%u", "") in texts or plain == ""
+    texts = [t.plain_text().replace("^ ", "^") for t in document.layout("A2").query('TEXT[layer=="TABLE"]')]
+    assert f"Title, part of {plain}".replace("%%u", "").replace("⌀", "Ø") in texts or plain == ""
 
 
 def test_the_same_shaft_gives_the_same_bytes(written, tmp_path):

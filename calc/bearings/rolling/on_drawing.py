@@ -5,7 +5,8 @@ which bearings are bought."""
 from collections.abc import Iterator, Mapping
 
 from ...countershaft.rows import BearingRow
-from ...draw.annotations import COLUMNS, Rows, Say, SheetTable, deviated, millimetres, number
+from ...draw.annotations import COLUMNS, Rows, Say, SheetTable
+from ...draw.sizes import deviated, millimetres, number
 from ...library.tolerances import deviations
 from ...sheet.text import Text
 from ...sheet.units import UNITS
@@ -13,7 +14,7 @@ from ..inputs import BearingsInputs
 from ..support import TurnedJournal
 from .bearing import RollingBearing
 from .clearance import fields_of
-from .raceway import roundness_needed
+from .raceway import roundness_needed, seat_form
 
 LIST = (24.0, 40.0, 24.0, 24.0)  # of the list of bearings: place, size, clearance, mass
 
@@ -22,7 +23,9 @@ def turned(row: BearingRow, inputs: BearingsInputs) -> TurnedJournal:
     size = row.outline
     assert size is not None  # asked of the file
     on_shaft = fields_of(size.type, size.inner_ring, row.shaft_fit, row.seat_fit)[0]
-    return TurnedJournal(field=on_shaft, texture=None if size.inner_ring else row.raceway_roughness)
+    if size.inner_ring:
+        return TurnedJournal(field=on_shaft, form=seat_form(size.bore))
+    return TurnedJournal(field=on_shaft, texture=row.raceway_roughness, form=roundness_needed(F_w=size.bore))
 
 
 def on_drawing(results: Mapping[str, RollingBearing], inputs: BearingsInputs, say: Say) -> Iterator[SheetTable]:

@@ -12,6 +12,7 @@ from .torque import INA, constants
 HARDNESS: Number = 670.0  # HV
 ROUGHNESS: Metre = 0.2e-6
 ROUNDNESS = 3
+SEAT_FORM = 5  # half of this grade is the cylindricity of a seat under a ring of class normal: SKF, from memory
 LEAST_CASE: Metre = 0.3e-3
 
 
@@ -26,6 +27,11 @@ def case_depth_needed(D_w: Metre) -> Metre:
 def roundness_needed(F_w: Metre) -> Metre:
     """What roundness and parallelism of a raceway on the shaft may be."""
     return tolerance(ROUNDNESS, F_w)
+
+
+def seat_form(d: Metre) -> Metre:
+    """How far the seat of an inner ring may be from a cylinder."""
+    return tolerance(SEAT_FORM, d) / 2
 
 
 def largest_slope(type: str, series: str) -> Radian:

@@ -9,6 +9,7 @@ import pytest
 
 from calc.design.toml_file import Document, design, read
 from calc.draw.annotations import Leaf, corners
+from calc.draw.defaults import general
 from calc.draw.drawing import (
     CENTRE,
     DIMENSION,
@@ -18,15 +19,17 @@ from calc.draw.drawing import (
     TEXT,
     VISIBLE,
     Area,
-    Dimension,
     Hatch,
+    Measure,
     Polyline,
     Words,
     hatch_lines,
+    strokes_of,
 )
-from calc.draw.lettering import room, strokes, written
+from calc.draw.lettering import room
+from calc.draw.turned import turned
 from calc.draw.workshop import shaft_sheet
-from calc.draw.workshop_sheet import BLOCK_LEFT, BLOCK_TOP, COLUMNS, LEFT, LOW, RIGHT, TOP, tables
+from calc.draw.workshop_sheet import A3, BLOCK_TOP, COLUMNS, LEFT, LOW, tables
 from calc.locale import language
 from calc.sheet.record import replace
 from calc.solve import solve
@@ -129,7 +132,7 @@ def sheet(gamma, gamma_results):
 
 def letters(sheet):
     """All words, those of dimensions as well."""
-    marks = [stroke for mark in sheet.marks for stroke in (strokes(mark) if isinstance(mark, Dimension) else (mark,))]
+    marks = [stroke for mark in sheet.marks for stroke in strokes_of(mark)]
     return [mark for mark in marks if isinstance(mark, Words)]
 
 
@@ -143,10 +146,11 @@ def overlap(a, b):
 
 # --- where it stands
 def test_nothing_leaves_the_frame_but_its_grid(drawn):
+    paper = drawn[1].paper
     for mark in drawn[1].marks:
         if mark.layer not in (FRAME, TABLE):
             for x, y in corners(mark):
-                assert LEFT <= x / MM <= RIGHT and LOW <= y / MM <= TOP, mark
+                assert LEFT <= x / MM <= paper.right and LOW <= y / MM <= paper.top, mark
 
 
 def test_no_two_texts_overlap(drawn):
@@ -158,9 +162,7 @@ def test_no_two_texts_overlap(drawn):
 def test_no_line_of_a_dimension_goes_through_a_number(drawn):
     """Nor does a contour or an axis; a line under a number is its own."""
     numbers = [(cut(room(words), 0.25 * MM), words.text) for words in letters(drawn[1]) if words.layer == DIMENSION]
-    marks = [
-        stroke for mark in drawn[1].marks for stroke in (strokes(mark) if isinstance(mark, Dimension) else (mark,))
-    ]
+    marks = [stroke for mark in drawn[1].marks for stroke in strokes_of(mark)]
     for mark in marks:
         if isinstance(mark, Polyline) and mark.layer in (DIMENSION, VISIBLE, CENTRE):
             points = (*mark.points, mark.points[0]) if mark.closed else mark.points
@@ -172,9 +174,10 @@ def test_no_line_of_a_dimension_goes_through_a_number(drawn):
 
 
 def test_the_title_block_stays_free_of_the_rest(drawn):
-    block = (BLOCK_LEFT, LOW, RIGHT, BLOCK_TOP)
+    paper = drawn[1].paper
+    block = (paper.block_left, LOW, paper.right, BLOCK_TOP)
     for mark in drawn[1].marks:
-        if isinstance(mark, Dimension | Hatch | Area) or mark.layer in (CENTRE, DIMENSION):
+        if isinstance(mark, Measure | Hatch | Area) or mark.layer in (CENTRE, DIMENSION):
             xs, ys = zip(*corners(mark))
             assert not overlap((min(xs) / MM, min(ys) / MM, max(xs) / MM, max(ys) / MM), block)
 
@@ -208,29 +211,64 @@ def test_letters_are_large_enough_to_be_read(drawn):
 
 
 # --- what it says
+def lengths(sheet):
+    """What is measured along the shaft, in the order in which it is drawn."""
+    return [mark for mark in sheet.marks if isinstance(mark, Measure) and mark.kind == "length" and not mark.turned]
+
+
+def labels(sheet):
+    return [mark.inscription.words for mark in lengths(sheet)]
+
+
 def test_dimensions_are_those_of_the_design(drawn):
     results, sheet = drawn
-    lengths = [mark for mark in sheet.marks if isinstance(mark, Dimension)]
-    for mark in lengths:
-        true = abs(mark.end[0] - mark.start[0]) / MM / sheet.scale
-        assert float(written(mark).strip("()").replace(",", ".")) == pytest.approx(true, abs=0.0501)
+    found = [(abs(mark.points[1][0] - mark.points[0][0]) / MM / sheet.scale, mark) for mark in lengths(sheet)]
+    for true, mark in found:
+        number = mark.inscription.words.partition(" ±")[0].strip("()").replace(",", ".")
+        assert float(number) == pytest.approx(true, abs=0.0501)
     shaft = results.design.countershaft
-    whole = max(abs(mark.end[0] - mark.start[0]) for mark in lengths) / sheet.scale
-    span = shaft.bearing_positions[-1] - shaft.bearing_positions[0]
-    assert (
-        any(abs(mark.end[0] - mark.start[0]) / sheet.scale == pytest.approx(span) for mark in lengths) and whole > span
-    )
+    span = (shaft.bearing_positions[-1] - shaft.bearing_positions[0]) / MM
+    assert any(true == pytest.approx(span) for true, _ in found) and max(true for true, _ in found) > span
+
+
+def test_every_functional_size_has_its_deviations(drawn):
+    """Journals and gear with their lengths, and how far the bearings stand apart: the rest goes by the general
+    tolerance."""
+    results, sheet = drawn
+    across = [m for m in sheet.marks if isinstance(m, Measure) and m.kind == "length" and m.turned]
+    pieces = turned(results, results.shaft)
+    functional = [piece for piece in pieces if piece.functional]
+    with_limits = [m for m in across if m.inscription.deviations is not None]
+    judged = results.design.bearings is not None
+    assert len(functional) >= 2 and len(with_limits) == (len(functional) if judged else 0)
+    along = {round(m.points[1][0] - m.points[0][0], 9): m.inscription for m in lengths(sheet)}
+    asked = [piece.end - piece.start for piece in functional]
+    asked += [b - a for a, b in pairwise(results.design.countershaft.bearing_positions)]
+    for size in asked:
+        lower, upper = along[round(size * sheet.scale, 9)].deviations
+        assert upper == -lower == general(size)[1] / MM
 
 
 def test_the_final_design_is_rounded_as_a_drawing_is(sheet):
-    assert sheet.scale == 0.5
-    labels = [written(mark) for mark in sheet.marks if isinstance(mark, Dimension)]
-    assert labels == ["15", "27.5", "0.4", "151.4", "2.1", "151.6", "(2.5)", "26.5", "335", "(377)"]
+    assert sheet.scale == 1.0 and sheet.paper.name == "A2"
+    assert labels(sheet) == [
+        "15 ±0.2",
+        "27.5 ±0.2",
+        "0.4 ±0.1",
+        "151.4",
+        "2.1",
+        "151.6",
+        "(2.5)",
+        "26.5 ±0.2",
+        "335 ±0.5",
+        "(377)",
+    ]
     said = [words.text for words in letters(sheet)]
+    at = said.index("⌀57.95")
+    assert said[at + 1 : at + 3] == ["0", "−0.1"], "the upper deviation over the lower"
     for text in (
         "⌀59.5 ±0.015",
         "⌀81 ±0.0175",
-        "⌀57.95 (0/−0.1)",
         "R40.5",
         "R15",
         "182.2°",
@@ -238,7 +276,7 @@ def test_the_final_design_is_rounded_as_a_drawing_is(sheet):
         "A–A",
         "B–B",
         "Ra 0.6",
-        "1:2",
+        "1:1",
         "20CrNi4",
         "9.05 kg",
     ):
@@ -265,7 +303,9 @@ def test_a_fit_is_written_with_its_deviations(gamma_results):
     """h6 from 50 to 80 mm: 0/−0.019, from 80 to 120 mm: 0/−0.022 (ISO 286-2)."""
     sheet = shaft_sheet(solve(design(Document(CASES["gamma"]()))))
     said = [words.text for words in letters(sheet)]
-    assert "⌀59.5 h6 (0/−0.019)" in said and "⌀81 h6 (0/−0.022)" in said
+    for size, deviation in (("⌀59.5 h6", "−0.019"), ("⌀81 h6", "−0.022")):
+        at = said.index(size)
+        assert said[at + 1 : at + 3] == ["0", deviation]
     assert not any("fits of the journals" in text for text in said)
 
 
@@ -274,13 +314,16 @@ def test_a_given_cylinder_in_a_bearing_has_its_fit_and_its_roughness_too():
     data["shafts"][0]["sections"] = SECTIONS
     said = [words.text for words in letters(shaft_sheet(solve(design(Document(data)))))]
     # ISO 286-2: f7 from 18 to 30 mm
-    assert said.count("⌀24 f7 (−0.02/−0.041)") == 2 and said.count("Ra 0.6") == 2 and "⌀28" in said
+    at = said.index("⌀24 f7")
+    assert said.count("⌀24 f7") == 2 and said[at + 1 : at + 3] == ["−0.020", "−0.041"]
+    assert said.count("Ra 0.6") == 2 and "⌀28" in said
 
 
 def test_limits_of_journals_and_what_they_run_in_stand_on_the_sheet():
     data, results = solved("seats")
     words = [mark.text for mark in letters(shaft_sheet(results, data=data))]
-    assert {"⌀59.5 (0/−0.015)", "⌀81 (0/−0.03)"} <= set(words)  # the limits of all classes; those given
+    for size, deviation in (("⌀59.5", "−0.015"), ("⌀81", "−0.03")):  # the limits of all classes; those given
+        assert words[words.index(size) + 2] == deviation
     beside = dict(pairwise(words))
     assert beside["Housing bore, front"] == "⌀63.500–63.520" and beside["Housing bore, rear"] == "⌀85.050–85.085"
     assert beside["Bush, wall, rear"] == "2.000–2.008"
@@ -314,14 +357,14 @@ def test_a_finished_bush_and_a_seat_of_its_own_say_their_limits():
     beside = dict(pairwise(words))
     assert beside["Bore of the seat, front"] == "⌀59.550–59.580" and beside["Clearance, front"] == "50 to 100 µm"
     assert beside["Running bore, finished, rear"] == "⌀81.050–81.080"
-    assert beside["Interference, rear"] == "60 to 90 µm" and "⌀59.5 (0/−0.02)" in words
+    assert beside["Interference, rear"] == "60 to 90 µm" and words[words.index("⌀59.5") + 2] == "−0.02"
 
 
 def test_tables_that_have_no_room_above_the_title_block_stand_beside_the_others():
     rows = [("what", "1")] * 20
     one, two = (tables([("head", rows, COLUMNS)] * n) for n in (1, 3))
     assert one.extent[0] == 0.0 and two.extent[0] < -sum(COLUMNS)
-    assert all(TOP + leaf.extent[1] >= BLOCK_TOP for leaf in (one, two))
+    assert all(A3.top + leaf.extent[1] >= BLOCK_TOP for leaf in (one, two))
 
 
 def test_the_clearance_of_the_journals_is_noted(sheet, gamma_results):
@@ -333,9 +376,9 @@ def test_the_clearance_of_the_journals_is_noted(sheet, gamma_results):
 def test_what_the_design_does_not_give_is_said_and_not_put_in(sheet):
     said = " ".join(words.text for words in letters(sheet))
     for text in (
-        "Not given by the design: heat treatment",
-        "chamfers and centre holes",
+        "Not given by the design: heat treatment of the journals",
         "places of the calibration",
+        "Draughtsman's choice elsewhere: general tolerances ISO 2768-mK; Ra 3.2; edges broken 0.3 × 45°.",
     ):
         assert text in said
     assert (
@@ -366,7 +409,7 @@ def test_sections_are_lettered_once_for_each_kind_and_a_whole_ring_has_no_angle(
     said = [words.text for words in letters(sheet)]
     assert [text for text in said if "–" in text and len(text) == 3] == ["A–A", "B–B", "C–C"]
     assert "120°" in said and "80°" in said and "360°" not in said
-    assert "45.5" in said and "385.5" not in said and "(385.5)" in said
+    assert "45.5 ±0.3" in said and "385.5" not in said and "(385.5)" in said
 
 
 def test_a_shaft_without_outline_has_no_sheet():

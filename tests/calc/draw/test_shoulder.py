@@ -5,8 +5,8 @@ import math
 import pytest
 
 from calc.countershaft.outline import Piece
-from calc.draw.sheet_data import TurnedPiece
 from calc.draw.side_view import shoulders
+from calc.draw.turned import TurnedPiece
 
 R, CORE = 0.043, 0.018
 

@@ -70,9 +70,10 @@ def test_shelves_do_not_meet(asked):
 
 
 def test_a_shelf_goes_round_what_stands_there():
-    mark = (15.0, 13.0, 25.0, 30.0)
-    ((y, right),) = shelves([Shelf(10.0, 10.0, 30.0, 4.0)], 14.0, 4.0, (-60.0, 200.0), [mark])
-    assert right and y > 30.0
+    """Above it, or outwards where it is high."""
+    for top, place in ((20.0, (22.0, True)), (30.0, (14.0, False))):
+        mark = (15.0, 13.0, 25.0, top)
+        assert shelves([Shelf(10.0, 10.0, 30.0, 4.0)], 14.0, 4.0, (-60.0, 200.0), [mark]) == [place]
 
 
 @pytest.mark.parametrize("x, right", [(10.0, True), (190.0, False)])

@@ -6,8 +6,8 @@ from itertools import combinations
 import pytest
 
 from calc.design.toml_file import Document, design, read
-from calc.draw.drawing import CENTRE, EDGE, VISIBLE, Arc, Dimension, Hatch
-from calc.draw.lettering import room, written
+from calc.draw.drawing import CENTRE, EDGE, VISIBLE, Arc, Hatch, Measure
+from calc.draw.lettering import room
 from calc.solve import solve
 from calc.studies.drawings import sheets
 from tests.calc.draw.test_sheet import MM, cut, letters, overlap
@@ -46,15 +46,21 @@ def test_circles_and_dimensions_are_those_of_the_train(pair):
         }
         for layer, size in ((VISIBLE, "tip"), (CENTRE, "reference"), (EDGE, "root")):
             assert 2 * radii[layer] == pytest.approx(values[f"gears.{name}.{size}_diameter"].shown)
-        width, tip = (mark for mark in sheet.marks if isinstance(mark, Dimension))
-        assert written(width) == f"{b:g}" and (width.end[0] - width.start[0]) / sheet.scale / MM == pytest.approx(b)
-        assert tip.upright and written(tip) == f"⌀{round(values[f'gears.{name}.tip_diameter'].shown, 2):g}"
+        width, tip = (mark for mark in sheet.marks if isinstance(mark, Measure))
+        start, end, _ = width.points
+        assert width.inscription.words == f"{b:g} ±0.2" and (end[0] - start[0]) / sheet.scale / MM == pytest.approx(b)
+        assert tip.turned and tip.inscription.words == f"⌀{round(values[f'gears.{name}.tip_diameter'].shown, 2):g} h10"
 
 
 def test_the_bore_is_drawn_and_measured_where_it_is_given_and_missed_where_it_is_not(pair):
     _, (with_bore, _) = drawn(40.0)
-    labels = [written(mark) for mark in with_bore.marks if isinstance(mark, Dimension)]
-    assert labels == ["30", "⌀40", "⌀93.37 (0/−0.1)"] and sum(isinstance(mark, Hatch) for mark in with_bore.marks) == 2
+    found = [mark.inscription for mark in with_bore.marks if isinstance(mark, Measure)]
+    assert [(said.words, said.upper, said.lower) for said in found] == [
+        ("30 ±0.2", "", ""),
+        ("⌀40 H7", "+0.025", "0"),
+        ("⌀93.37", "0", "−0.1"),
+    ]
+    assert sum(isinstance(mark, Hatch) for mark in with_bore.marks) == 2
     said = " ".join(words.text for words in letters(pair[1][0]))
     assert "Not given by the design: bore and hub" in said and "⌀40" not in said
     assert "accuracy grade of the teeth, the measuring ball" in said and "grade of balancing" not in said
