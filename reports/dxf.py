@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from io import StringIO
 from typing import TYPE_CHECKING, Any
 
+from calc.draw.annotations import corners
 from calc.draw.drawing import (
     LAYERS,
     Arc,
@@ -21,11 +22,12 @@ from calc.draw.drawing import (
     Point,
     Polyline,
     Words,
+    moved,
     reach,
     spanned,
 )
 from calc.draw.lettering import ARROW, BEYOND, OFF
-from calc.sheet.units import UNITS
+from calc.sheet.units import UNITS, Metre
 from calc.studies.drawings import WorkshopSheet
 
 if TYPE_CHECKING:
@@ -71,13 +73,27 @@ def sheet_dxf(sheet: WorkshopSheet) -> str:
     return dxf(sheet.part, tuple(LAYERS), 1 / sheet.scale, sheet)
 
 
+def wheel_dxf(teeth: Sequence[Ink], layers: tuple[str, ...], sheet: WorkshopSheet) -> str:
+    """The teeth of a wheel about the origin, with their data; to their left the wheel as its sheet shows it, and on a
+    layout the sheet."""
+    left, right = (spanned(point for mark in marks for point in _points(mark)) for marks in (teeth, sheet.part))
+    away = left[0] - right[2] - (left[2] - left[0]) / 2
+    part = [moved(mark, away, 0.0) for mark in sheet.part]
+    return dxf([*teeth, *part], (*layers, *LAYERS), 1 / sheet.scale, sheet, away)
+
+
 def dxf(
-    drawing: Sequence[Ink], layers: tuple[str, ...] = (), by: float = 1.0, sheet: WorkshopSheet | None = None
+    drawing: Sequence[Ink],
+    layers: tuple[str, ...] = (),
+    by: float = 1.0,
+    sheet: WorkshopSheet | None = None,
+    away: Metre = 0.0,
 ) -> str:
     """The text of a DXF file.  `layers` are there even where nothing stands on them; further ones are made where they
     are named.
 
-    `by`: how many times longer than on paper the dashes of its lines are; `sheet`: the paper around the drawing.
+    `by`: how many times longer than on paper the dashes of its lines are; `sheet`: the paper around the drawing;
+    `away`: where in the drawing the part of that sheet stands, to the right of its origin.
     """
     import ezdxf
 
@@ -90,7 +106,7 @@ def dxf(
             {"dimtxt": 2.5 * by, "dimasz": ARROW * 2.5 * by, "dimexe": BEYOND * 2.5 * by, "dimexo": OFF * 2.5 * by}
         )
         document.styles.add(LETTERS, font=FONT)
-        for layer in layers:
+        for layer in dict.fromkeys(layers):
             _layer(document, layer, by)
         document.header["$LWDISPLAY"] = 1  # the widths of the lines are shown
         space = document.modelspace()
@@ -100,7 +116,7 @@ def dxf(
             _draw(document, space, mark)
         _view(document, drawing)
         if sheet is not None:
-            _paper(document, sheet)
+            _paper(document, sheet, mm(away))
         for kind in sorted(document.entitydb.dxf_types_in_use()):
             document.classes.add_class(kind)  # else they are written in the order of a set, another one in each run
         text = StringIO()
@@ -108,7 +124,7 @@ def dxf(
     return text.getvalue()
 
 
-def _paper(document: "Drawing", sheet: WorkshopSheet) -> None:
+def _paper(document: "Drawing", sheet: WorkshopSheet, away: float) -> None:
     """The layout: frame, title block, tables and notes, and a window on the model in the scale of the sheet."""
     layout = document.paperspace()
     document.layouts.rename(layout.name, sheet.paper.name)
@@ -116,11 +132,10 @@ def _paper(document: "Drawing", sheet: WorkshopSheet) -> None:
     document.header["$PSLTSCALE"] = 0  # dashes are as long as the model has them
     for mark in sheet.around:
         _draw(document, layout, mark)
-    left, low, right, top = (mm(side) for side in spanned(point for mark in sheet.views for point in _points(mark)))
+    left, low, right, top = (mm(side) for side in spanned(point for mark in sheet.views for point in corners(mark)))
     size, middle = (right - left + 2 * ROUND, top - low + 2 * ROUND), ((left + right) / 2, (low + top) / 2)
-    origin = _at(sheet.origin)
-    centre = [(middle[n] - origin[n]) / sheet.scale for n in (0, 1)]
-    window = layout.add_viewport(middle, size, centre, size[1] / sheet.scale, status=2)
+    x, y = ((middle[n] - mm(sheet.origin[n])) / sheet.scale for n in (0, 1))
+    window = layout.add_viewport(middle, size, (x + away, y), size[1] / sheet.scale, status=2)
     document.layers.add(WINDOW, color=8, plot=False)  # the edges of the window are not printed
     window.dxf.layer = WINDOW
 

@@ -26,8 +26,8 @@ from calc.sheet.progress import Progress
 from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
 from calc.solve import Results
-from calc.studies.drawings import sheets
-from reports.dxf import dxf, sheet_dxf
+from calc.studies.drawings import sheets, wheel_sheet
+from reports.dxf import dxf, sheet_dxf, wheel_dxf
 
 if TYPE_CHECKING:
     from calc.gears.inputs import GearsInputs
@@ -169,11 +169,12 @@ def drawing_text(document: Document, results: Results, name: str = "") -> str:
 
 
 def gears_text(document: Document, results: Results, wheel: str | None = None, chord_error: float | None = None) -> str:
-    """One wheel with its table of data, or the whole train, as a DXF file.  `chord_error` in µm."""
+    """One wheel with its teeth and its sheet, or the whole train, as a DXF file.  `chord_error` in µm."""
     train, gears, name = _train(document, results, wheel), results.design.gears, results.design.name
     error = CHORD_ERROR if chord_error is None else chord_error * 1e-6
     if wheel is not None:
-        return dxf(wheel_drawing(train, wheel, name, gears, error), LAYERS)
+        sheet = wheel_sheet(results, wheel, document.data, document.sha256)
+        return wheel_dxf(wheel_drawing(train, wheel, name, gears, error), LAYERS, sheet)
     assert gears is not None
     return dxf(train_drawing(train, name, _positions(train, gears), gears.tooth_angle, error), LAYERS)
 

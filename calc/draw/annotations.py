@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from typing import Literal
 
 from ..sheet.record import replace
+from ..sheet.units import Radian
 from .drawing import (
     CUT,
     DIMENSION,
@@ -81,12 +82,15 @@ class Leaf:
         self.marks.append(Measure(DIMENSION, "length", (first, last, on_line), strokes(shape, size), size, turned))
 
     def measure(
-        self, kind: Literal["length", "radius", "angle"], points: Iterable[Point], picture: "Leaf", size: Inscription
+        self,
+        kind: Literal["length", "radius", "angle"],
+        points: Iterable[Point],
+        picture: "Leaf",
+        size: Inscription,
+        turned: Radian = 0.0,
     ) -> None:
-        """A size whose strokes are drawn already; `points`: as a measure has them, of a length along the sheet's
-        second axis."""
+        """A size whose strokes are drawn already; `points` and `turned`: as a measure has them."""
         drawn = tuple(mark for mark in picture.marks if isinstance(mark, Polyline | Arc | Area | Words))
-        turned = math.pi / 2 if kind == "length" else 0.0
         self.marks.append(Measure(DIMENSION, kind, tuple(map(_metres, points)), drawn, size, turned))
 
     def inscribe(self, size: Inscription, x: float, y: float, side: Side = "left") -> None:
@@ -167,17 +171,17 @@ def cutting_plane(leaf: Leaf, letter: str, x: float, high: float, low: float) ->
 def radius(leaf: Leaf, centre: Point, length: float, angle: float, size: Inscription, out: float) -> None:
     """A radius by an arrow from outside: its tip on the arc, its label on a shelf away from the middle."""
     tip, end = _polar(centre, length, angle), _polar(centre, out, angle)
-    picture = _leader(tip, angle + math.pi, end, math.cos(angle) >= 0, size)
+    picture = leader(tip, angle + math.pi, end, math.cos(angle) >= 0, size)
     leaf.measure("radius", (centre, tip), picture, size)
 
 
 def through(leaf: Leaf, length: float, angle: float, back: float, size: Inscription) -> None:
     """A radius by an arrow from inside: its line comes through the centre, from a shelf on the other side."""
     tip, end = _polar((0.0, 0.0), length, angle), _polar((0.0, 0.0), back, angle + math.pi)
-    leaf.measure("radius", ((0.0, 0.0), tip), _leader(tip, angle, end, end[0] >= 0, size), size)
+    leaf.measure("radius", ((0.0, 0.0), tip), leader(tip, angle, end, end[0] >= 0, size), size)
 
 
-def _leader(tip: Point, angle: float, end: Point, right: bool, size: Inscription) -> Leaf:
+def leader(tip: Point, angle: float, end: Point, right: bool, size: Inscription) -> Leaf:
     """An arrow whose line bends at its other end, to the right or to the left, and bears a size there."""
     leaf, wide = Leaf(), inscribed_width(size, LETTER) + GAP
     leaf.line(DIMENSION, tip, end, (end[0] + (wide if right else -wide), end[1]))

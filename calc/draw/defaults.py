@@ -5,7 +5,7 @@ notes of the sheet that they stand on.
 They are usual ones, no rule of a standard but where one is named."""
 
 from bisect import bisect_left
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from ..library.table_file import house_table
@@ -15,7 +15,7 @@ from ..sheet.units import UNITS, Metre
 from .sizes import number
 
 if TYPE_CHECKING:
-    from ..solve import Results
+    from ..countershaft.rows import BearingRow
 
 TIP_FIELD = ToleranceField("h", 10)  # of tips: Finotti 2013, 4.5.2, has 0/−0.1 mm at 58 mm
 BORE_FIELD = ToleranceField("H", 7)  # of the bore of a wheel
@@ -53,15 +53,15 @@ def of_tips() -> Text:
     return Text("{field} of the tips", field=str(TIP_FIELD))
 
 
-def of_zones(results: "Results") -> Iterator[Text]:
+def of_zones(rows: "Iterable[BearingRow]", gear: bool) -> Iterator[Text]:
     """By which rules the geometrical tolerances of journals and gear are drawn."""
-    inner = {getattr(row.outline, "inner_ring", None) for row in results.design.rows}  # None: of no rolling bearing
+    inner = {getattr(row.outline, "inner_ring", None) for row in rows}  # None: of no rolling bearing
     forms = [
         Text("cylindricity a quarter of the journal's field") if None in inner else EMPTY,
         Text("cylindricity half of IT5 under rings") if True in inner else EMPTY,
         Text("cylindricity IT3 under needles") if False in inner else EMPTY,
         Text("run-out half of the journal's field") if inner else EMPTY,
-        Text("tips as the teeth") if results.train is not None else EMPTY,
+        Text("tips as the teeth") if gear else EMPTY,
     ]
     if inner:
         yield Text("Draughtsman's choice of shape: {rules}.", rules=COMMA.join(filter(None, forms)))

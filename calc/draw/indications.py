@@ -75,7 +75,7 @@ def shelf(leaf: Leaf, line: tuple[float, float, float], y: float, right: bool, c
     picture.arrow((x, high), math.pi / 2)
     picture.arrow((x, low), -math.pi / 2)
     picture.inscribe(content.size, left + GAP, y + GAP)
-    leaf.measure("length", ((x, low), (x, high), (x, low)), picture, content.size)
+    leaf.measure("length", ((x, low), (x, high), (x, low)), picture, content.size, math.pi / 2)
     here = left + 2 * GAP + inscribed_width(content.size, LETTER)
     if content.texture:
         roughness(leaf, content.texture, here + GAP, y)

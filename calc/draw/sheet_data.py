@@ -12,7 +12,7 @@ from . import defaults
 from .annotations import Rows, Say
 from .gear_data import tooth_notes
 from .sizes import alone, degrees, millimetres, number
-from .turned import journals, missing, shaft_wheel
+from .turned import TurnedPiece, journals, missing, shaft_wheel
 
 if TYPE_CHECKING:
     from ..countershaft.result import CountershaftResult
@@ -61,7 +61,11 @@ def mass_rows(results: "Results", solved: "CountershaftResult", say: Say) -> Row
 
 
 def notes(
-    results: "Results", solved: "CountershaftResult", up: float, data: Mapping[str, object] | None
+    results: "Results",
+    solved: "CountershaftResult",
+    pieces: list[TurnedPiece],
+    up: float,
+    data: Mapping[str, object] | None,
 ) -> Iterator[Text]:
     """What is said in words, and at the end what a drawing needs and the design does not give."""
     shaft = results.design.countershaft
@@ -104,14 +108,15 @@ def notes(
     if (wheel := shaft_wheel(results)) is not None:
         yield from tooth_notes(wheel)
     yield defaults.said()
-    yield from defaults.of_zones(results)
-    yield from chosen(data, shaft=shaft.name, more=_assumed_fields(results))
-    yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results)))
+    yield from defaults.of_zones(results.design.rows, any(piece.piece.what == "gear" for piece in pieces))
+    yield from chosen(data, shaft=shaft.name, more=_assumed_fields(results, pieces))
+    yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results, pieces)))
 
 
-def _assumed_fields(results: "Results") -> Iterator[Text]:
+def _assumed_fields(results: "Results", pieces: list[TurnedPiece]) -> Iterator[Text]:
     """By which fields tips and journals are drawn, and these judged, that the design gives none."""
-    if (wheel := shaft_wheel(results)) is not None and wheel.tip_diameter_min is None:
+    wheel, drawn = shaft_wheel(results), any(piece.piece.what == "gear" for piece in pieces)
+    if wheel is not None and wheel.tip_diameter_min is None and drawn:
         yield defaults.of_tips()
     found = journals(results)
     names = [row for row in results.design.rows if row.name in found]

@@ -132,7 +132,7 @@ def roughness(Ra: Metre) -> Text:
     return Text("Ra {ra}", ra=number(UNITS["µm"].shown(Ra), 2))
 
 
-def missing(results: "Results") -> Iterator[Text]:
+def missing(results: "Results", pieces: list[TurnedPiece]) -> Iterator[Text]:
     """What a drawing needs and this design does not give; nothing is put in its place."""
     bearings, shaft, found = results.design.bearings, results.design.countershaft, journals(results).values()
     if not found or any(journal.limits is None and journal.field is None for journal in found):
@@ -140,10 +140,22 @@ def missing(results: "Results") -> Iterator[Text]:
     if not found or any(journal.texture is None for journal in found):
         yield Text("roughness of the journals")
     yield Text("heat treatment of the journals")
+    if (wheel := shaft_wheel(results)) is not None:
+        yield from _of_gear(wheel, pieces)
     if shaft is not None and shaft.fillet_radius is None:
         yield Text("fillets")
     if shaft is not None and shaft.holes is not None:
-        yield Text("places of the calibration holes")
+        yield Text("places of the calibration holes along the shaft")
     rows = results.design.rows if bearings is not None else ()
     if bearings is not None and any(row.fed() and bearings.of(row).supply == "shaft" for row in rows):
         yield Text("oil ways in the shaft")
+
+
+def _of_gear(wheel: "WheelResult", pieces: list[TurnedPiece]) -> Iterator[Text]:
+    """Where it stands, and how its cutter gets past what stands beside it and reaches higher than its roots."""
+    places = [n for n, piece in enumerate(pieces) if piece.piece.what == "gear"]
+    if not places:
+        yield Text("place and seat of the gear")
+    beside = [pieces[n + way] for n in places for way in (-1, 1) if 0 <= n + way < len(pieces)]
+    if any(piece.radius > wheel.root_diameter / 2 for piece in beside):
+        yield Text("run-out of the gear cutter")

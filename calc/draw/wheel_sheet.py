@@ -34,21 +34,20 @@ def wheel_sheets(
     say: Say = str,
     data: Mapping[str, object] | None = None,
     release: Release | None = None,
-) -> list[WorkshopSheet]:
-    """A sheet for each wheel; none where the train is not solved."""
+) -> dict[str, WorkshopSheet]:
+    """A sheet for each wheel, by its name; none where the train is not solved."""
     train, gears = results.train, results.design.gears
     if train is None or gears is None:
-        return []
+        return {}
     bores = {wheel_inputs.name: wheel_inputs.bore_diameter for wheel_inputs in gears.wheels}
-    sheets = []
+    sheets = {}
     for n, wheel in enumerate(train.wheels.values(), 1):
         title, sheet, bore = say(Text("Gear {name}", name=wheel.name)), f"{n}/{len(train.wheels)}", bores[wheel.name]
         mass = "" if wheel.mass is None else say(Text("{m} kg", m=sizes.number(wheel.mass, 2)))
         part = DrawnPart(title=title, material=wheel.material, mass=mass, sheet=sheet, of=results.design.name)
-        views = partial(_views, wheel, bore, say)
-        beside, control = [gear_table(results, wheel, say)], results.design.control
-        notes = _notes(wheel, bore, data)
-        sheets.append(composed(part, views, beside, notes, control, say, PART_DRAWING, release))
+        beside, notes = [gear_table(results, wheel, say)], _notes(wheel, bore, data)
+        views, control = partial(_views, wheel, bore, say), results.design.control
+        sheets[wheel.name] = composed(part, views, beside, notes, control, say, PART_DRAWING, release)
     return sheets
 
 
@@ -104,9 +103,7 @@ def _notes(wheel: "WheelResult", bore: Metre | None, data: Mapping[str, object] 
     yield defaults.said()
     more = []
     if bore is not None:
-        yield Text(
-            "Run-out of the tips by that of the teeth, of a face 0.2·F_β·d_a/b as in ISO/TR 10064-3, from memory."
-        )
+        yield Text("Run-out of the tips by that of the teeth, of a face 0.2·F_β·d_a/b (ISO/TR 10064-3).")
         more.append(Text("{field} of the bore", field=str(defaults.BORE_FIELD)))
     if wheel.tip_diameter_min is None:
         more.append(defaults.of_tips())

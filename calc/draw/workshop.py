@@ -12,12 +12,12 @@ from ..sheet.text import Text
 from ..sheet.units import Metre, Radian
 from . import annotations, sheet_data, sizes
 from .annotations import COLUMNS, TITLE, Leaf, Say, SheetTable
-from .drawing import CENTRE, VISIBLE, Inscription, Point
+from .drawing import CENTRE, HIDDEN_EDGE, VISIBLE, Inscription, Point
 from .gear_data import gear_table
 from .shaft_outline import FLAT, upwards
 from .sheet_data import PART_DRAWING
 from .side_view import SideView
-from .sizes import number
+from .sizes import Size, number
 from .turned import TurnedPiece, shaft_wheel, turned
 from .workshop_sheet import DrawnPart, Release, WorkshopSheet, composed
 
@@ -32,6 +32,8 @@ ASIDE = math.radians(40.0)  # of a radius from the middle of its sector
 WIDEST = math.radians(100.0)  # half of a sector that leaves room for its radii beside it
 BEHIND = 2.0  # from the end of an axis to the label of a radius
 OUT = 8.0  # from a sector to its angle's arc
+HOLE_ASIDE = math.radians(20.0)  # of the label of a hole from the middle of its sector
+BEYOND_ARC = 8.0  # from the angle's arc to that label
 TURN = 2 * math.pi
 
 
@@ -52,8 +54,17 @@ def kinds(pieces: list[TurnedPiece]) -> dict[str, TurnedPiece]:
     return dict(zip("ABCDEFGHJKLMNPQRSTUVWXYZ", sections.values()))
 
 
-def section(letter: str, piece: "Piece", up: Radian, scale: float, say: Say, bore: Metre = 0.0) -> Leaf:
-    """A sector on its core, cut: hatched, with its radii and its angle; `bore`: radius of a bore along the shaft."""
+def section(
+    letter: str,
+    piece: "Piece",
+    up: Radian,
+    scale: float,
+    say: Say,
+    bore: Metre = 0.0,
+    hole: tuple[Size, Metre] | None = None,
+) -> Leaf:
+    """A sector on its core, cut: hatched, with its radii and its angle; `bore`: radius of a bore along the shaft;
+    `hole`: of the holes that calibrate it, how deep they may be."""
     assert piece.half_angle is not None
     leaf, by, half = Leaf(), scale * 1e3, piece.half_angle
     R, r, middle = by * piece.outer_radius, by * piece.core_radius, on_sheet(piece.angle, up)
@@ -73,6 +84,8 @@ def section(letter: str, piece: "Piece", up: Radian, scale: float, say: Say, bor
         _sized(leaf, R, r, middle, half, (outer, core), say)
     if bore:
         leaf.arc(VISIBLE, (0.0, 0.0), by * bore)
+    if hole is not None:
+        _hole(leaf, R, middle, by, *hole, say)
     _cross(leaf, R)
     leaf.words(f"{letter}–{letter}", 0.0, R + OUT + 9.0, "centre", TITLE)
     return leaf
@@ -97,6 +110,26 @@ def _sized(
         annotations.radius(leaf, centre, R, middle - ASIDE, outer, R + OUT)
         if r:
             annotations.through(leaf, r, middle + math.pi + (math.pi - half) / 2, back, core)
+
+
+def _hole(leaf: Leaf, R: float, middle: Radian, by: float, size: Size, depth: Metre, say: Say) -> None:
+    """A hole from outside towards the axis, whose diameter stands on a shelf beyond the angle's arc."""
+    half, deep = by * size.value / 2, by * depth
+    along, across = (math.cos(middle), math.sin(middle)), (-math.sin(middle), math.cos(middle))
+
+    def at(out: float, aside: float) -> Point:
+        return out * along[0] + aside * across[0], out * along[1] + aside * across[1]
+
+    top = math.sqrt(R * R - half * half)
+    leaf.line(HIDDEN_EDGE, at(top, half), at(R - deep, half), at(R - deep, -half), at(top, -half))
+    leaf.line(CENTRE, at(R + OVER_OUTLINE, 0.0), at(R - deep - OVER_OUTLINE, 0.0))
+    walls = at(R - deep / 2, half), at(R - deep / 2, -half)
+    words = size.inscribed(say)
+    end = _polar(R + OUT + BEYOND_ARC, middle + HOLE_ASIDE)
+    picture = annotations.leader(
+        walls[0], math.atan2(walls[0][1] - end[1], walls[0][0] - end[0]), end, end[0] >= 0, words
+    )
+    leaf.measure("length", (*walls, walls[0]), picture, words, middle - math.pi / 2)
 
 
 def _cross(leaf: Leaf, radius: float) -> None:
@@ -153,7 +186,7 @@ def shaft_sheet(
         ),
         lambda scale: _shaft_views(results, solved, scale, say),
         beside,
-        sheet_data.notes(results, solved, upwards(solved.outline), data),
+        sheet_data.notes(results, solved, turned(results, solved), upwards(solved.outline), data),
         results.design.control,
         say,
         PART_DRAWING,
@@ -178,13 +211,13 @@ def _shaft_views(results: "Results", solved: "CountershaftResult", scale: float,
     assert solved.outline is not None and results.design.countershaft is not None
     up, pieces, wheel = upwards(solved.outline), turned(results, solved), shaft_wheel(results)
     gear = wheel.reference_diameter if wheel is not None else None
-    cut, bore = kinds(pieces), solved.outline.bore
+    cut, bore, hole = kinds(pieces), solved.outline.bore, _holes(results, solved)
     side = SideView(pieces, results.design.countershaft.bearing_positions, up, scale, say, bore)
     views = side.draw({letter: (piece.start + piece.end) / 2 for letter, piece in cut.items()}, gear)
     left, y, right, _ = views.extent
     x, lowest = left, y
     for letter, piece in cut.items():
-        leaf = section(letter, piece.piece, up, scale, say, bore)
+        leaf = section(letter, piece.piece, up, scale, say, bore, hole)
         box = leaf.extent
         under = scale * 1e3 * (piece.start + piece.end) / 2  # its cutting plane, if there is room
         at = min(max(x - box[0], under), max(right - box[2], x - box[0]))
@@ -194,3 +227,14 @@ def _shaft_views(results: "Results", solved: "CountershaftResult", scale: float,
         views.add(leaf, at, y - APART - box[3])
         x, lowest = at + box[2] + APART, min(lowest, y - APART - box[3] + box[1])
     return views
+
+
+def _holes(results: "Results", solved: "CountershaftResult") -> tuple[Size, Metre] | None:
+    """How many calibration holes of which diameter each mass has, and how deep they may be; None where there are none,
+    or it is not known which sectors are the masses."""
+    shaft = results.design.countershaft
+    if shaft is None or shaft.holes is None or solved.outline is None or not solved.outline.derived:
+        return None
+    holes, masses = shaft.holes, len(solved.sector or shaft.masses)
+    each = f"{holes.count // masses}× " if masses and holes.count % masses == 0 else ""
+    return Size(holes.diameter, f"{each}⌀"), holes.depth

@@ -16,7 +16,7 @@ from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
 from ..solve import Results
 
-__all__ = ["WorkshopSheet", "drawable", "shafts", "sheets", "train", "wheels"]
+__all__ = ["WorkshopSheet", "drawable", "shafts", "sheets", "train", "wheel_sheet", "wheels"]
 NONE = Text("–")
 
 
@@ -59,7 +59,7 @@ def sheets(
     """
     release = release_of(results, sha256)
     if results.design.countershaft is None:
-        return wheel_sheets(results, say, data, release)
+        return list(wheel_sheets(results, say, data, release).values())
     views = drawable(results)
     drawn = []
     for n, (name, view) in enumerate(views.items(), 1):
@@ -68,6 +68,13 @@ def sheets(
         sheet = shaft_sheet(view, say, data, title=title, sheet=f"{n}/{len(views)}", release=release)
         drawn += [] if sheet is None else [sheet]
     return drawn
+
+
+def wheel_sheet(
+    results: Results, wheel: str, data: Mapping[str, object] | None = None, sha256: str = ""
+) -> WorkshopSheet:
+    """The workshop drawing of one wheel of a train that is solved, also where it sits on a shaft."""
+    return wheel_sheets(results, str, data, release_of(results, sha256))[wheel]
 
 
 def _titled(view: Results, name: str) -> Text:

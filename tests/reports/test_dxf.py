@@ -5,6 +5,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from io import StringIO
+from itertools import pairwise
 
 import ezdxf
 import pytest
@@ -12,10 +13,12 @@ from ezdxf import bbox
 from ezdxf.entities.lwpolyline import LWPolylinePoints
 
 from calc.design import toml_file
+from calc.draw.annotations import corners
 from calc.draw.drawing import LAYERS, Measure, Polyline
 from calc.draw.shaft_outline import drawn
+from calc.draw.turned import turned
 from calc.solve import solve
-from calc.studies.drawings import sheets
+from calc.studies.drawings import drawable, sheets
 from reports.dxf import MEASURED, STYLE, dxf, sheet_dxf
 from tests.conftest import DESIGNS, GAMMA, ROOT
 
@@ -83,21 +86,22 @@ def test_the_sections_are_hatched_within_sector_and_core(written):
     assert all(hatch.pattern.lines[0].angle == pytest.approx(45.0) for hatch in found)
 
 
-def test_the_paper_has_a_window_on_the_part_in_the_scale_of_the_sheet(gamma, gamma_results):
+def test_the_paper_has_a_window_on_the_part_in_the_scale_of_the_sheet(sheet, written):
     """Through it every point of the part is seen where the sheet has it."""
-    (sheet,) = sheets(gamma_results, data=gamma.data)
-    document = read(sheet_dxf(sheet))
+    document = read(written)
     layout = document.layout(sheet.paper.name)
     (window,) = (port for port in layout.query("VIEWPORT") if port.dxf.id != 1)
     assert window.get_scale() == pytest.approx(sheet.scale) and window.dxf.status > 1
     assert not document.layers.get(window.dxf.layer).dxf.plot
     middle, aim, half = window.dxf.center, window.dxf.view_center_point, (window.dxf.width / 2, window.dxf.height / 2)
+    for mark in sheet.views:
+        for point in corners(mark):  # letters too
+            assert all(abs(1e3 * point[n] - middle[n]) < half[n] for n in (0, 1))
     for mark, full in zip(sheet.views, sheet.part):
         if isinstance(mark, Polyline):
             for on_paper, point in zip(mark.points, full.points):
                 seen = [middle[n] + sheet.scale * (1e3 * point[n] - aim[n]) for n in (0, 1)]
                 assert seen == pytest.approx([1e3 * x for x in on_paper], abs=1e-6)
-                assert all(abs(seen[n] - middle[n]) < half[n] for n in (0, 1))
 
 
 def test_the_contour_comes_back_as_the_model_has_it(written, gamma_results):
@@ -118,7 +122,7 @@ def test_dimensions_measure_what_is_drawn_and_have_the_picture_of_the_sheet(shee
     found = list(shapes(document, "DIMENSION", "DIMENSION"))
     asked = [mark for mark in sheet.part if isinstance(mark, Measure)]
     assert {d.dxf.dimstyle for d in found} == {STYLE} and {d.dxf.text for d in found} == {MEASURED}
-    across, of_sections = [57.952, 59.5, 81.0], [182.215, 40.5, 15.0, 181.694, 40.5, 15.0]
+    across, of_sections = [57.952, 59.5, 81.0], [182.215, 40.5, 15.0, 14.0, 181.694, 40.5, 15.0, 14.0]
     along = [15.0, 27.5, 0.397, 151.364, 2.143, 151.629, 2.468, 26.5, 335.0, 377.0]
     assert [d.get_measurement() for d in found] == pytest.approx([*across, *along, *of_sections], abs=0.006)
     for dimension, mark in zip(found, asked):
@@ -127,28 +131,56 @@ def test_dimensions_measure_what_is_drawn_and_have_the_picture_of_the_sheet(shee
         assert texts == [word.replace("⌀", "%%c") for word in words if word]
 
 
-@pytest.mark.parametrize("name", ["r753ie4_gamma", "r753ie4_rolling", "r754ie4_balance_shafts", "timing_pair"])
-def test_what_a_cad_program_writes_is_what_the_sheet_says(name):
-    """The measured size, rounded as the style of the dimension says, between its signs, with its deviations."""
+def functional(results):
+    """What the function of each drawn part hangs on, as the model has it: kind and size in mm, across and along."""
+    if results.design.countershaft is None:
+        for wheel in results.train.wheels.values():
+            bore = next(w.bore_diameter for w in results.design.gears.wheels if w.name == wheel.name)
+            yield [(90.0, wheel.tip_diameter), (0.0, wheel.face_width), *([(90.0, bore)] if bore else [])]
+        return
+    for view in drawable(results).values():
+        pieces = [piece for piece in turned(view, view.shaft) if piece.functional]
+        rows = view.design.countershaft.bearing_positions
+        yield [
+            *((90.0, 2 * piece.radius) for piece in pieces),
+            *((0.0, piece.end - piece.start) for piece in pieces),
+            *((0.0, b - a) for a, b in pairwise(rows)),
+        ]
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in DESIGNS.glob("*.toml")))
+def test_every_functional_size_of_a_shipped_design_is_a_dimension_with_deviations(name):
+    """Read from the file; and what a CAD program writes of each dimension is what the sheet says: the measured size,
+    rounded as its style says, between its signs, with its deviations."""
     document = toml_file.read(DESIGNS / f"{name}.toml")
-    for sheet in sheets(solve(toml_file.design(document)), data=document.data):
-        asked = [mark for mark in sheet.part if isinstance(mark, Measure)]
+    results = solve(toml_file.design(document))
+    made = sheets(results, data=document.data)
+    for sheet, sizes in zip(made, functional(results) if made else (), strict=True):
         found = list(shapes(read(sheet_dxf(sheet)), "DIMENSION", "DIMENSION"))
+        with_deviations = [
+            (d.dxf.angle, d.get_measurement()) for d in found if d.dimtype == 0 and d.override().get("dimtol")
+        ]
+        for direction, size in sizes:
+            assert any(
+                (angle, length) == (direction, pytest.approx(1e3 * size, abs=1e-6)) for angle, length in with_deviations
+            ), (direction, size)
+        asked = [mark for mark in sheet.part if isinstance(mark, Measure)]
         assert len(found) == len(asked) > 1
         for dimension, mark in zip(found, asked):
-            style, said = dimension.override(), mark.inscription
-            digits = style.get("dimadec" if mark.kind == "angle" else "dimdec")
-            size = f"{round(dimension.get_measurement(), digits):.12g}"
-            words = f"{size}°" if mark.kind == "angle" else (style.get("dimpost") or "<>").replace("<>", size)
-            plain = said.words.partition(" ±")[0].replace("⌀", "%%c")
-            assert words == plain
-            assert bool(style.get("dimtol")) is (said.deviations is not None)
-            if said.deviations is not None:
-                lower, upper = said.deviations
-                assert (-style.get("dimtm"), style.get("dimtp")) == pytest.approx((lower, upper))
-                if said.upper:
-                    signs = [float(text.replace("−", "-")) for text in (said.lower, said.upper)]
-                    assert signs == pytest.approx([lower, upper], abs=1e-9)
+            assert written_by_a_program(dimension, mark.kind) == mark.inscription.words.replace("⌀", "%%c")
+            upper, lower = mark.inscription.upper, mark.inscription.lower
+            if upper:
+                style = dimension.override()
+                signs = [float(text.replace("−", "-")) for text in (lower, upper)]
+                assert signs == pytest.approx([-style.get("dimtm"), style.get("dimtp")], abs=1e-9)
+
+
+def written_by_a_program(dimension, kind):
+    style = dimension.override()
+    size = f"{round(dimension.get_measurement(), style.get('dimadec' if kind == 'angle' else 'dimdec')):.12g}"
+    words = f"{size}°" if kind == "angle" else (style.get("dimpost") or "<>").replace("<>", size)
+    upper, lower = style.get("dimtp"), style.get("dimtm")
+    return f"{words} ±{round(upper, style.get('dimtdec')):.12g}" if style.get("dimtol") and upper == lower else words
 
 
 @pytest.mark.parametrize("name", ["two\nlines\r\n 0\nEOF", "caret ^J and 100 %%u", "\t\x00 tab", "", "日本語 ⌀"])

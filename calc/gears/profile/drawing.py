@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...draw.drawing import Arc, Point, Polyline, Primitive, Words
+from ...draw.drawing import Arc, Point, Polyline, Stroke, Words
 from ...sheet.quantity import Published, published
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Radian
@@ -51,7 +51,7 @@ Places = Mapping[str, tuple[Metre, Metre]]
 
 def wheel_drawing(
     train: TrainResult, name: str, title: str = "", gears: GearsInputs | None = None, chord_error: Metre = CHORD_ERROR
-) -> tuple[Primitive, ...]:
+) -> tuple[Stroke, ...]:
     """One wheel about the origin, the middle of its first tooth up, with its table of data.
 
     PROFILE is the outline without allowance, PROFILE_MAX and PROFILE_MIN those at its ends, if there is one.
@@ -78,7 +78,7 @@ def train_drawing(
     positions: Places | None = None,
     tooth_angle: Radian = 0.0,
     chord_error: Metre = CHORD_ERROR,
-) -> tuple[Primitive, ...]:
+) -> tuple[Stroke, ...]:
     """All wheels, meshing, without allowances.
 
     `positions` [up, side] of every wheel from the crank's axis; left out, or not of every wheel: in a row, each beside
@@ -91,7 +91,7 @@ def train_drawing(
     if not train.wheels:  # chains alone
         return ()
     teeth = _teeth(train, centres, tooth_angle)
-    shapes: list[Primitive] = []
+    shapes: list[Stroke] = []
     for name, wheel in train.wheels.items():
         shapes += _outlines(train, wheel, chord_error, centres[name], UP - teeth[name], limits=False)
         shapes += _circles(wheel, train.mates(name), centres[name])
@@ -151,9 +151,9 @@ def reach(train: TrainResult, name: str) -> Metre:
 
 def _outlines(
     train: TrainResult, wheel: WheelResult, chord_error: Metre, at: complex, turn: Radian, *, limits: bool
-) -> list[Primitive]:
+) -> list[Stroke]:
     """The closed outline, its first point not repeated, and with `limits` those at the ends of the allowance."""
-    outlines: list[Primitive] = []
+    outlines: list[Stroke] = []
     for end, x in shifts(train.system, wheel).items():
         if limits or not end:
             path = repeated(tooth(train.system, wheel, chord_error, x), wheel.teeth)[:-1] * cmath.exp(1j * turn) + at
@@ -162,10 +162,10 @@ def _outlines(
     return outlines
 
 
-def _circles(wheel: WheelResult, working: list[tuple[str, Metre, MeshResult]], at: complex) -> list[Primitive]:
+def _circles(wheel: WheelResult, working: list[tuple[str, Metre, MeshResult]], at: complex) -> list[Stroke]:
     circles = [(layer, getattr(wheel, field)) for layer, field in CIRCLES.items()]
     circles += [("WORKING", d_w) for _, d_w, _ in working]
-    shapes: list[Primitive] = [Arc(layer, _point(at), d / 2, 0.0, 2 * math.pi) for layer, d in circles]
+    shapes: list[Stroke] = [Arc(layer, _point(at), d / 2, 0.0, 2 * math.pi) for layer, d in circles]
     reach = wheel.tip_diameter * (0.5 + LETTER)
     for way in (complex(reach, 0.0), complex(0.0, reach)):
         shapes.append(Polyline("AXIS", (_point(at - way), _point(at + way))))

@@ -213,7 +213,13 @@ def test_letters_are_large_enough_to_be_read(drawn):
 # --- what it says
 def lengths(sheet):
     """What is measured along the shaft, in the order in which it is drawn."""
-    return [mark for mark in sheet.marks if isinstance(mark, Measure) and mark.kind == "length" and not mark.turned]
+    return [mark for mark in measures(sheet, "length") if not mark.turned]
+
+
+def measures(sheet, kind):
+    """Of the shaft; those of its holes have their number before their sign."""
+    found = [mark for mark in sheet.marks if isinstance(mark, Measure) and mark.kind == kind]
+    return [mark for mark in found if "×" not in mark.inscription.words]
 
 
 def labels(sheet):
@@ -235,7 +241,7 @@ def test_every_functional_size_has_its_deviations(drawn):
     """Journals and gear with their lengths, and how far the bearings stand apart: the rest goes by the general
     tolerance."""
     results, sheet = drawn
-    across = [m for m in sheet.marks if isinstance(m, Measure) and m.kind == "length" and m.turned]
+    across = [mark for mark in measures(sheet, "length") if mark.turned]
     pieces = turned(results, results.shaft)
     functional = [piece for piece in pieces if piece.functional]
     with_limits = [m for m in across if m.inscription.deviations is not None]
@@ -402,6 +408,21 @@ def test_the_title_block_says_what_the_document_says():
     ):
         assert text in said
     assert "grade of balancing" not in " ".join(said)
+
+
+def test_the_calibration_holes_stand_in_the_masses_that_they_calibrate(sheet, gamma_results):
+    """As deep as they may be, across the middle of each mass."""
+    holes = gamma_results.design.countershaft.holes
+    found = [mark for mark in sheet.marks if isinstance(mark, Measure) and "×" in mark.inscription.words]
+    assert [mark.inscription.words for mark in found] == ["2× ⌀14", "2× ⌀14"]
+    for mark in found:
+        assert math.dist(*mark.points[:2]) / sheet.scale == pytest.approx(holes.diameter)
+    outlines = [mark for mark in sheet.marks if isinstance(mark, Polyline) and mark.layer == "HIDDEN"]
+    assert len(outlines) == 2
+    for (ax, ay), (bx, by), *_ in (mark.points for mark in outlines):
+        top = math.sqrt(40.5**2 - 7**2)  # where the wall of the hole comes out of the round of the mass
+        deep = math.dist((ax, ay), (bx, by)) / MM / sheet.scale
+        assert deep == pytest.approx(holes.depth / MM - (40.5 - top))
 
 
 def test_sections_are_lettered_once_for_each_kind_and_a_whole_ring_has_no_angle():
