@@ -63,5 +63,5 @@ def of_zones(rows: "Iterable[BearingRow]", gear: bool) -> Iterator[Text]:
         Text("run-out half of the journal's field") if inner else EMPTY,
         Text("tips as the teeth") if gear else EMPTY,
     ]
-    if inner:
+    if any(forms):
         yield Text("Draughtsman's choice of shape: {rules}.", rules=COMMA.join(filter(None, forms)))

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The data of the teeth that stand on a drawing (ISO 1340, symbols of ISO 21771), and the notes on them."""
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ..sheet.quantity import published
 from ..sheet.text import COMMA, Name, Text
-from ..sheet.units import UNITS, Metre
+from ..sheet.units import UNITS, Metre, Radian
 from .annotations import COLUMNS, Rows, Say, SheetTable
 from .sizes import ALIKE, alone, degrees, deviated, millimetres, number
 from .turned import roughness
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 HANDS = {"left": Text("left"), "right": Text("right")}
 SIZE = 3  # decimals of a tooth's sizes
 TOLERANCE = 1  # of its tolerances, µm
+TURNED = 2  # of an angle at which it stands
 
 
 def gear_table(results: "Results", wheel: "WheelResult", say: Say) -> SheetTable:
@@ -35,9 +37,17 @@ def gear_rows(results: "Results", wheel: "WheelResult", say: Say) -> Rows:
     if (friction := results.design.friction) is not None and (Ra := _flanks(friction, train, wheel.name)) is not None:
         rows.append((Text("Roughness of the flanks"), roughness(Ra)))
     rows += _strength(train, wheel.name)
+    if (tooth := tooth_angle(train, wheel.name)) is not None:
+        rows.append((Text("A tooth at, cylinder 1 at TDC"), degrees(tooth % (2 * math.pi), TURNED)))
     if (relief := gears.tip_relief) is not None:
         rows.append((Text("Tip relief"), _microns(relief)))
     return [(say(label), say(value)) for label, value in rows]
+
+
+def tooth_angle(train: "TrainResult", wheel: str) -> Radian | None:
+    """The direction of the middle of a tooth, counted as those of the masses are; None: nobody has laid it out."""
+    laid = train.layout.wheels if train.layout is not None else {}
+    return laid[wheel].tooth_angle if wheel in laid else None
 
 
 def strength_of(train: "TrainResult", wheel: str) -> "StrengthClass | None":

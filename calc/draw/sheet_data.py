@@ -108,7 +108,8 @@ def notes(
     if (wheel := shaft_wheel(results)) is not None:
         yield from tooth_notes(wheel)
     yield defaults.said()
-    yield from defaults.of_zones(results.design.rows, any(piece.piece.what == "gear" for piece in pieces))
+    judged = results.design.rows if journals(results) else ()
+    yield from defaults.of_zones(judged, any(piece.piece.what == "gear" and piece.zones for piece in pieces))
     yield from chosen(data, shaft=shaft.name, more=_assumed_fields(results, pieces))
     yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results, pieces)))
 

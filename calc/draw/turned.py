@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 GIVEN = ("journal", "gear", "full")  # pieces whose length and diameter the design gives
 DATUMS = "A", "B"  # the axes of the first and the last journal
 TOGETHER = "A–B"
+Limit = tuple[Characteristic, Metre, str]  # what of a surface is limited, how wide the zone is, about which datum
 
 
 @record
@@ -41,7 +42,7 @@ class TurnedPiece:
     size: Size | None = None
     texture: Text | None = None
     datum: str = ""
-    zones: tuple[tuple[Characteristic, Metre, str], ...] = ()  # how wide each is, and about which datum
+    zones: tuple[Limit, ...] = ()
     functional: bool = False
 
 
@@ -67,7 +68,8 @@ def _piece(results: "Results", piece: "Piece", start: Metre, end: Metre) -> Turn
     shaft, wheel = results.design.countershaft, shaft_wheel(results)
     assert shaft is not None
     if piece.what == "gear" and wheel is not None:
-        zones: tuple[tuple[Characteristic, Metre, str], ...] = (("run-out", wheel.tolerances.runout, TOGETHER),)
+        judged = bool(journals(results))  # else there are no datums
+        zones: tuple[Limit, ...] = (("run-out", wheel.tolerances.runout, TOGETHER),) if judged else ()
         return TurnedPiece(piece, start, end, wheel.tip_diameter / 2, tips(wheel), zones=zones, functional=True)
     if piece.what not in GIVEN:
         return TurnedPiece(piece, start, end, piece.outer_radius)
@@ -119,7 +121,7 @@ def fitted(journal: "TurnedJournal", d: Metre) -> Size:
     return diameter(d) if journal.field is None else in_field(d, journal.field)
 
 
-def _zones(journal: "TurnedJournal", d: Metre) -> tuple[tuple[Characteristic, Metre, str], ...]:
+def _zones(journal: "TurnedJournal", d: Metre) -> tuple[Limit, ...]:
     """How round and straight a journal is, and how true it runs about the axis of the outer two."""
     if (limits := fitted(journal, d).deviations) is None:
         return ()
@@ -141,7 +143,7 @@ def missing(results: "Results", pieces: list[TurnedPiece]) -> Iterator[Text]:
         yield Text("roughness of the journals")
     yield Text("heat treatment of the journals")
     if (wheel := shaft_wheel(results)) is not None:
-        yield from _of_gear(wheel, pieces)
+        yield from _of_gear(results, wheel, pieces)
     if shaft is not None and shaft.fillet_radius is None:
         yield Text("fillets")
     if shaft is not None and shaft.holes is not None:
@@ -151,8 +153,12 @@ def missing(results: "Results", pieces: list[TurnedPiece]) -> Iterator[Text]:
         yield Text("oil ways in the shaft")
 
 
-def _of_gear(wheel: "WheelResult", pieces: list[TurnedPiece]) -> Iterator[Text]:
-    """Where it stands, and how its cutter gets past what stands beside it and reaches higher than its roots."""
+def _of_gear(results: "Results", wheel: "WheelResult", pieces: list[TurnedPiece]) -> Iterator[Text]:
+    """Where it stands, how its teeth stand to the masses, and how its cutter gets past what reaches higher than its
+    roots beside it."""
+    layout = results.train.layout if results.train is not None else None
+    if layout is None or wheel.name not in layout.wheels or layout.wheels[wheel.name].tooth_angle is None:
+        yield Text("angle of the teeth to the masses")
     places = [n for n, piece in enumerate(pieces) if piece.piece.what == "gear"]
     if not places:
         yield Text("place and seat of the gear")

@@ -305,6 +305,32 @@ def test_the_tables_give_teeth_balancing_and_masses(sheet, gamma_results):
     assert "2.691" in said and "210°" in said and "−77.67" in said
 
 
+def test_what_the_grade_permits_the_teeth_and_where_a_tooth_stands_are_in_the_table():
+    """Grade 7, m_n 2, d 53.895, b 15 mm, by the formulas of ISO 1328-1:2013 and (runout) ISO 1328-2:1997."""
+    said = [words.text for words in letters(shaft_sheet(solve(design(read(DESIGNS / "r753ie4_sized.toml")))))]
+    beside = dict(pairwise(said))
+    d, b, m = 53.895, 15.0, 2.0
+    pitch, total = 0.001 * d + 0.4 * m + 5, 0.002 * d + 0.55 * math.sqrt(d) + 0.7 * m + 12
+    profile = math.hypot(0.4 * m + 0.001 * d + 4, 0.55 * m + 5)
+    root_d, root_b = math.sqrt(d), math.sqrt(b)
+    helix = math.hypot(0.05 * root_d + 0.35 * root_b + 4, 0.07 * root_d + 0.45 * root_b + 4)
+    runout = 0.24 * m + root_d + 5.6
+    f_p, F_p, F_alpha, F_beta, F_r = (round(2 * x) for x in (pitch, total, profile, helix, runout))
+    assert beside["Single pitch ±f_p, total pitch F_p"] == f"{f_p}, {F_p} µm"
+    assert beside["Profile F_α, helix F_β"] == f"{F_alpha}, {F_beta} µm"
+    assert beside["Runout F_r, ISO 1328-2:1997"] == f"{F_r} µm" and f"{F_r / 1e3:g}" in said, "and in the frame"
+    assert beside["Heat treatment, ISO 6336-5"] == "case-hardened, MQ"
+    assert beside["A tooth at, cylinder 1 at TDC"] == "354.22°"
+
+
+def test_journals_are_datums_and_what_turns_with_them_runs_true_about_both(sheet):
+    """A quarter and half of IT7, 30 µm to 80 mm and 35 µm to 120 mm, in whole micrometres downwards."""
+    said = [words.text for words in letters(sheet)]
+    for datum, form, runout in (("A", "0.007", "0.015"), ("B", "0.008", "0.017")):
+        assert datum in said and form in said and said[said.index(runout) + 1] == "A–B"
+    assert said[said.index("0.027") + 1] == "A–B"
+
+
 def test_a_fit_is_written_with_its_deviations(gamma_results):
     """h6 from 50 to 80 mm: 0/−0.019, from 80 to 120 mm: 0/−0.022 (ISO 286-2)."""
     sheet = shaft_sheet(solve(design(Document(CASES["gamma"]()))))

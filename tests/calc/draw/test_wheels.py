@@ -61,9 +61,22 @@ def test_the_bore_is_drawn_and_measured_where_it_is_given_and_missed_where_it_is
         ("⌀93.37", "0", "−0.1"),
     ]
     assert sum(isinstance(mark, Hatch) for mark in with_bore.marks) == 2
+    words = [mark.text for mark in letters(with_bore)]
+    # run-out of tips and face about the bore: F_r, and 0.2·F_β·d_a/b with F_β 19 µm (grade 7)
+    assert {"A", "0.031"} <= set(words) and f"{round(0.2 * 19 * 93.37 / 30) / 1e3:g}" in words
+    assert "H7 of the bore" in " ".join(words)
     said = " ".join(words.text for words in letters(pair[1][0]))
     assert "Not given by the design: bore and hub" in said and "⌀40" not in said
     assert "accuracy grade of the teeth, the measuring ball" in said and "grade of balancing" not in said
+
+
+def test_a_small_wheel_is_enlarged():
+    """ISO 5455 has 5:1 and 10:1 as well."""
+    data = copy.deepcopy(read(DESIGNS / "timing_pair.toml").data)
+    data["gears"] |= {"normal_module_mm": 0.5, "face_width_mm": 5.0}
+    data["gears"]["wheels"][0]["face_width_mm"] = 6.0
+    first, _ = sheets(solve(design(Document(data))), data=data)
+    assert first.scale == 5.0 and "5:1" in [words.text for words in letters(first)]
 
 
 @pytest.mark.parametrize("bore", [None, 20.0])

@@ -105,7 +105,10 @@ def test_the_wheel_passes_the_seat_and_the_drawing_has_fits_seats_and_what_is_bo
     assert values["gears.insertion_gap"].shown == pytest.approx(52.0 - tip)  # through the seat without its bearing
     words = [mark.text for mark in letters(shaft_sheet(results))]
     beside = dict(pairwise(words))
-    assert "⌀25 js6 ±0.0065" in words and "⌀30 h5 (0/−0.009)" in words and "Ra 0.2" in words
+    at = words.index("⌀30 h5")
+    assert words[at + 1 : at + 3] == ["0", "−0.009"] and "⌀25 js6 ±0.0065" in words and "Ra 0.2" in words
+    # cylindricity: half of IT5 under the ring, IT3 under the needles (ISO 286-1: 9 and 4 µm)
+    assert "0.0045" in words and "0.004" in words
     assert beside["Seat in the housing, front"] == "⌀52 N7 (−0.009/−0.039)"  # ISO 286-2: N7 of 50 to 80 mm
     assert beside["Raceway in the housing, rear"].startswith("⌀35 G6")
     assert beside["Raceway on the shaft, rear"] == "at least 700 HV, 0.8 mm deep"
