@@ -27,10 +27,13 @@ EDGES: Metre = 0.3e-3
 ROUGHNESS: Metre = 3.2e-6
 
 
-def general(length: Metre) -> tuple[Metre, Metre]:
-    """The deviations that the general tolerance permits a length."""
-    row, shown = house_table("iso_2768.toml")["medium"], UNITS["mm"].shown(length)
-    deviation = row["deviation_mm"][bisect_left(row["up_to_mm"], shown)] * UNITS["mm"].factor
+def general(length: Metre) -> tuple[Metre, Metre] | None:
+    """The deviations that the general tolerance permits a length; None beyond its range."""
+    row = house_table("iso_2768.toml")["medium"]
+    place = bisect_left(row["up_to_mm"], UNITS["mm"].shown(length))
+    if place == len(row["up_to_mm"]):
+        return None
+    deviation = row["deviation_mm"][place] * UNITS["mm"].factor
     return -deviation, deviation
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from ..library.tolerances import ToleranceField, deviations
+from ..library.tolerances import LARGEST, ToleranceField, deviations
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import UNITS, Metre
@@ -110,7 +110,10 @@ def tips(wheel: "WheelResult") -> Size:
 
 
 def in_field(d: Metre, field: ToleranceField) -> Size:
-    """A diameter with its field, and with the deviations of that; a width alone has no name there."""
+    """A diameter with its field, and with the deviations of that, without either beyond the range of ISO 286; a width
+    alone has no name there."""
+    if UNITS["mm"].shown(d) > LARGEST:
+        return diameter(d)
     return diameter(d, f" {field}" if field.letter else "", deviations(field, d))
 
 

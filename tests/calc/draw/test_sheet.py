@@ -255,6 +255,14 @@ def test_every_functional_size_has_its_deviations(drawn):
         assert upper == -lower == general(size)[1] / MM
 
 
+def test_the_general_tolerance_of_lengths():
+    """ISO 2768-1, class m, at the ends of its ranges; none above 4 m."""
+    ends = {6.0: 0.1, 6.1: 0.2, 30.0: 0.2, 120.0: 0.3, 400.0: 0.5, 1000.0: 0.8, 2000.0: 1.2, 4000.0: 2.0}
+    for size, deviation in ends.items():
+        assert general(size * MM) == pytest.approx((-deviation * MM, deviation * MM))
+    assert general(4001 * MM) is None
+
+
 def test_the_final_design_is_rounded_as_a_drawing_is(sheet):
     assert sheet.scale == 1.0 and sheet.paper.name == "A2"
     assert labels(sheet) == [

@@ -79,6 +79,15 @@ def test_a_small_wheel_is_enlarged():
     assert first.scale == 5.0 and "5:1" in [words.text for words in letters(first)]
 
 
+def test_a_wheel_larger_than_the_standards_go_has_its_sheet_without_deviations():
+    """ISO 286 ends at 500 mm here."""
+    data = copy.deepcopy(read(DESIGNS / "timing_pair.toml").data)
+    data["gears"]["normal_module_mm"] = 8.0
+    _, second = sheets(solve(design(Document(data))), data=data)
+    found = [mark.inscription for mark in second.marks if isinstance(mark, Measure)]
+    assert [(said.words[0], said.deviations is None) for said in found] == [("2", False), ("⌀", True)]
+
+
 @pytest.mark.parametrize("bore", [None, 20.0])
 def test_no_two_texts_overlap(bore):
     for sheet in drawn(bore)[1]:
