@@ -12,8 +12,9 @@ from ..countershaft.bending.carried import AnyLaw, Carried
 from ..countershaft.bending.condensed import Condensed
 from ..countershaft.outline import Outline
 from ..countershaft.rows import BearingRow, row_key
-from ..draw.annotations import Say, SheetTable
+from ..draw.annotations import SheetTable
 from ..draw.drawing import Sketch
+from ..draw.sizes import Say
 from ..engine.operation import BenchPoint, Operation
 from ..library.catalogue import Material
 from ..library.journal_rules import named_at

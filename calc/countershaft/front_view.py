@@ -16,7 +16,6 @@ from ..draw.drawing import (
     WORDS,
     Arc,
     Area,
-    Ink,
     Mark,
     Point,
     Polyline,
@@ -122,8 +121,8 @@ def front_view(
     return Sketch(tuple(marks), title=title)
 
 
-def _at(place: Point, marks: Iterable[Ink]) -> list[Mark]:
-    return [mark for each in marks if isinstance(mark := moved(each, *place), Mark)]
+def _at(place: Point, marks: Iterable[Mark]) -> list[Mark]:
+    return [moved(mark, *place) for mark in marks]
 
 
 def _crank(engine: EngineInputs, banks: Iterable[Radian]) -> Iterator[Mark]:

@@ -32,7 +32,6 @@ from .drawing import (
     spanned,
 )
 from .lettering import arrow, inscribed_width, inscribed_words, room, shortened, strokes, width
-from .sizes import Say as Say
 
 LETTER, TITLE = 2.5, 3.5  # heights of capitals, ISO 3098
 SPACING = 2.0  # of a hatch

@@ -144,7 +144,7 @@ class Measure:
 Primitive = Polyline | Arc | Words | Dimension  # of drawings to scale
 Mark = Primitive | Area  # of sketches
 Ink = Stroke | Hatch | Measure  # of drawing sheets
-Drawn = TypeVar("Drawn", bound=Ink)
+Drawn = TypeVar("Drawn", bound=Ink | Dimension)
 
 
 @record
@@ -209,10 +209,10 @@ def moved(mark: Drawn, dx: Metre, dy: Metre) -> Drawn:
 
 def enlarged(mark: Ink, by: float) -> Ink:
     """A mark so many times as large, letters and all."""
-    return _changed(mark, lambda point: (by * point[0], by * point[1]), by)
+    return cast("Ink", _changed(mark, lambda point: (by * point[0], by * point[1]), by))
 
 
-def _changed(mark: Ink, to: Callable[[Point], Point], by: float) -> Ink:
+def _changed(mark: Ink | Dimension, to: Callable[[Point], Point], by: float) -> Ink | Dimension:
     match mark:
         case Polyline():
             return replace(mark, points=tuple(map(to, mark.points)))
@@ -225,6 +225,9 @@ def _changed(mark: Ink, to: Callable[[Point], Point], by: float) -> Ink:
             return replace(mark, outlines=outlines, spacing=by * mark.spacing)
         case Words():
             return replace(mark, at=to(mark.at), height=by * mark.height)
+        case Dimension():
+            start, end, line = to(mark.start), to(mark.end), to(mark.line)
+            return replace(mark, start=start, end=end, line=line, height=by * mark.height, shift=by * mark.shift)
         case Measure():
             picture = tuple(cast("Stroke", _changed(stroke, to, by)) for stroke in mark.picture)
             return replace(mark, points=tuple(map(to, mark.points)), picture=picture)

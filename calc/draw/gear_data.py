@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from ..sheet.quantity import published
 from ..sheet.text import COMMA, Name, Text
 from ..sheet.units import UNITS, Metre, Radian
-from .annotations import COLUMNS, Rows, Say, SheetTable
-from .sizes import ALIKE, alone, degrees, deviated, millimetres, number
+from .annotations import COLUMNS, Rows, SheetTable
+from .sizes import ALIKE, Say, alone, degrees, deviated, millimetres, number
 from .turned import roughness
 
 if TYPE_CHECKING:

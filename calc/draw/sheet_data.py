@@ -9,9 +9,9 @@ from ..library.tolerances import ISO
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import UNITS, KilogramMetre
 from . import defaults
-from .annotations import Rows, Say
+from .annotations import Rows
 from .gear_data import tooth_notes
-from .sizes import alone, degrees, millimetres, number
+from .sizes import Say, alone, degrees, millimetres, number
 from .turned import TurnedPiece, journals, missing, shaft_wheel
 
 if TYPE_CHECKING:

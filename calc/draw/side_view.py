@@ -11,12 +11,13 @@ from itertools import pairwise, product
 from ..sheet.record import record
 from ..sheet.units import Metre, Radian
 from . import sizes
-from .annotations import LETTER, Leaf, Say, cutting_plane
+from .annotations import LETTER, Leaf, cutting_plane
 from .defaults import general
 from .drawing import CENTRE, DIMENSION, HIDDEN_EDGE, VISIBLE, Box, Point
 from .indications import OnShelf, Zone, shelf
 from .lettering import ARROW, TAIL, inscribed_width, outside, width
 from .shaft_outline import FLAT, edges, reach
+from .sizes import Say
 from .turned import TurnedPiece
 
 CLEAR = 0.8  # mm between what stands side by side
@@ -130,7 +131,7 @@ def shelves(
     asked: Sequence[Shelf], bottom: float, step: float, limits: tuple[float, float], taken: Sequence[Box]
 ) -> list[Place]:
     """Where each shelf stands: its words towards the middle, or outwards where they stand much lower there; where that
-    can not be, all to the right, as stairs.
+    can not be, all to the right, as stairs above all else.
 
     `bottom`: the lowest shelf; `limits` to the left and the right; `taken`: where nothing may stand.
     """
@@ -143,7 +144,8 @@ def shelves(
     places = _placed(asked, inner_first, ways, limits, taken)
     if places is None:
         right_first = sorted(inner_first, key=lambda n: -asked[n].x)
-        stairs = {n: [(bottom + step * level, True) for level in range(LEVELS * len(asked))] for n in inner_first}
+        over = max((bottom, *(box[3] + CLEAR for box in taken)))
+        stairs = {n: [(over + step * level, True) for level in range(LEVELS * len(asked))] for n in inner_first}
         places = _placed(asked, right_first, stairs, (-math.inf, math.inf), ()) or {n: ways[n][0] for n in inner_first}
     return [places[n] for n in range(len(asked))]
 

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 from ..sheet.text import COMMA, Text
 from ..sheet.units import Metre
 from . import defaults, sizes
-from .annotations import Leaf, Say
+from .annotations import Leaf
 from .drawing import CENTRE, DIMENSION, EDGE, VISIBLE
 from .gear_data import gear_table, tooth_notes
 from .indications import OnShelf, Zone, datum, frame, shelf
 from .sheet_data import PART_DRAWING, chosen
+from .sizes import Say
 from .turned import in_field, tips
 from .workshop_sheet import DrawnPart, Release, WorkshopSheet, composed
 

@@ -11,13 +11,13 @@ from ..sheet.quantity import dotted
 from ..sheet.text import Text
 from ..sheet.units import Metre, Radian
 from . import annotations, sheet_data, sizes
-from .annotations import COLUMNS, TITLE, Leaf, Say, SheetTable
+from .annotations import COLUMNS, TITLE, Leaf, SheetTable
 from .drawing import CENTRE, HIDDEN_EDGE, VISIBLE, Inscription, Point
 from .gear_data import gear_table
 from .shaft_outline import FLAT, upwards
 from .sheet_data import PART_DRAWING
 from .side_view import SideView
-from .sizes import Size, number
+from .sizes import Say, Size, number
 from .turned import TurnedPiece, shaft_wheel, turned
 from .workshop_sheet import DrawnPart, Release, WorkshopSheet, composed
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 from ..sheet.record import record
 from ..sheet.text import Text
-from .annotations import COLUMNS, LETTER, TITLE, Leaf, Say, SheetTable
+from .annotations import COLUMNS, LETTER, TITLE, Leaf, SheetTable
 from .drawing import EDGE, FRAME, TABLE, VISIBLE, Ink, Point, enlarged, moved
 from .lettering import shortened, width, wrapped
+from .sizes import Say
 
 if TYPE_CHECKING:
     from ..design.other_tables import DocumentControl

@@ -7,8 +7,9 @@ from typing import Any
 from ...countershaft.bending.condensed import Condensed
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow, called
-from ...draw.annotations import Say, SheetTable
+from ...draw.annotations import SheetTable
 from ...draw.drawing import Sketch
+from ...draw.sizes import Say
 from ...sheet.arrays import Array
 from ...sheet.check import Check
 from ...sheet.step import Curve, Erratum, Table

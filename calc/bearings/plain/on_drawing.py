@@ -7,9 +7,9 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 
 from ...countershaft.rows import BearingRow
-from ...draw.annotations import COLUMNS, LETTER, Rows, Say, SheetTable
+from ...draw.annotations import COLUMNS, LETTER, Rows, SheetTable
 from ...draw.lettering import width
-from ...draw.sizes import number
+from ...draw.sizes import Say, number
 from ...library.tolerances import ASSUMED_FIT, parse
 from ...sheet.text import COMMA, EMPTY, Amount, Text
 from ...sheet.units import UNITS, Metre

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from ...countershaft.outline import Outline
 from ...countershaft.result import CountershaftResult
 from ...countershaft.rows import BearingRow, row_key
-from ...draw.annotations import Say, SheetTable
+from ...draw.annotations import SheetTable
 from ...draw.drawing import Sketch
+from ...draw.sizes import Say
 from ...sheet.check import Check
 from ...sheet.step import Curve, Table
 from ...sheet.text import Text

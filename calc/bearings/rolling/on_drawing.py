@@ -5,8 +5,8 @@ which bearings are bought."""
 from collections.abc import Iterator, Mapping
 
 from ...countershaft.rows import BearingRow
-from ...draw.annotations import COLUMNS, Rows, Say, SheetTable
-from ...draw.sizes import deviated, millimetres, number
+from ...draw.annotations import COLUMNS, Rows, SheetTable
+from ...draw.sizes import Say, deviated, millimetres, number
 from ...library.tolerances import deviations
 from ...sheet.text import Text
 from ...sheet.units import UNITS

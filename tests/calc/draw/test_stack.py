@@ -79,3 +79,10 @@ def test_a_shelf_goes_round_what_stands_there():
 @pytest.mark.parametrize("x, right", [(10.0, True), (190.0, False)])
 def test_a_shelf_looks_inwards(x, right):
     assert shelves([Shelf(x, 10.0, 30.0, 4.0)], 14.0, 4.0, (0.0, 200.0), []) == [(14.0, right)]
+
+
+def test_stairs_stand_above_all_that_is_there():
+    """Where there is no room at either side."""
+    mark, asked = (15.0, 13.0, 25.0, 30.0), [Shelf(10.0, 10.0, 30.0, 4.0), Shelf(30.0, 10.0, 30.0, 4.0)]
+    found = shelves(asked, 14.0, 4.0, (5.0, 35.0), [mark])
+    assert all(right and y > 30.0 for y, right in found) and found[0][0] > found[1][0]
