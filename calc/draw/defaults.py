@@ -21,6 +21,7 @@ TIP_FIELD = ToleranceField("h", 10)  # of tips: Finotti 2013, 4.5.2, has 0/−0.
 BORE_FIELD = ToleranceField("H", 7)  # of the bore of a wheel
 FORM = 0.25  # of the width of a journal's field: half of what its limits alone permit
 RUNOUT = 0.5  # likewise, of a journal about the axis of the outer two
+SIGMAS = 3  # so many standard deviations of the production scatter are the tolerance of masses and timing
 FINEST: Metre = 1e-6
 GENERAL = "ISO 2768-mK"
 EDGES: Metre = 0.3e-3

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 from ..sheet.quantity import published
 from ..sheet.text import COMMA, Name, Text
 from ..sheet.units import UNITS, Metre, Radian
+from . import defaults
 from .annotations import COLUMNS, Rows, SheetTable
 from .sizes import ALIKE, Say, alone, degrees, deviated, millimetres, number
-from .turned import roughness
+from .turned import roughness, shaft_wheel
 
 if TYPE_CHECKING:
     from ..friction.inputs import FrictionInputs
@@ -38,7 +39,11 @@ def gear_rows(results: "Results", wheel: "WheelResult", say: Say) -> Rows:
         rows.append((Text("Roughness of the flanks"), roughness(Ra)))
     rows += _strength(train, wheel.name)
     if (tooth := tooth_angle(train, wheel.name)) is not None:
-        rows.append((Text("A tooth at, cylinder 1 at TDC"), degrees(tooth % (2 * math.pi), TURNED)))
+        words, shaft = degrees(tooth % (2 * math.pi), TURNED), results.design.countershaft
+        if shaft is not None and shaft.scatter is not None and shaft.scatter.timing and wheel is shaft_wheel(results):
+            late = degrees(defaults.SIGMAS * shaft.scatter.timing, TURNED)
+            words = Text("{angle} ±{late}", angle=words, late=late)
+        rows.append((Text("A tooth at, cylinder 1 at TDC"), words))
     if (relief := gears.tip_relief) is not None:
         rows.append((Text("Tip relief"), _microns(relief)))
     return [(say(label), say(value)) for label, value in rows]

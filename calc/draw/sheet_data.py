@@ -48,7 +48,8 @@ def _unbalance(U: KilogramMetre) -> Text:
 
 
 def mass_rows(results: "Results", solved: "CountershaftResult", say: Say) -> Rows:
-    """The eccentric masses as they are meant: the shaft is out of balance on purpose."""
+    """The eccentric masses as they are meant: the shaft is out of balance on purpose; and within what its production
+    keeps them."""
     shaft = results.design.countershaft
     given = {mass.name: mass for mass in shaft.masses} if shaft is not None else {}
     masses = dict(solved.sector) if solved.sector else given
@@ -57,6 +58,11 @@ def mass_rows(results: "Results", solved: "CountershaftResult", say: Say) -> Row
         heavy, away, z = number(mass.mass, 3), millimetres(mass.radius, 3), millimetres(mass.z, 2)
         cells = (Name(name), alone(heavy), alone(away), degrees(mass.angle % (2 * math.pi)), alone(z))
         rows.append(tuple(map(say, cells)))
+    if len(rows) > 1 and shaft is not None and (scatter := shaft.scatter) is not None:
+        n = defaults.SIGMAS
+        heavy, away, z = number(n * scatter.mass, 3), millimetres(n * scatter.radius, 3), millimetres(n * scatter.z, 2)
+        turn = degrees(n * scatter.angle, 2)
+        rows.append(tuple(map(say, (Text("±, {n} σ", n=n), alone(heavy), alone(away), turn, alone(z)))))
     return rows if len(rows) > 1 else []
 
 

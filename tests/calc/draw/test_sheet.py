@@ -328,7 +328,10 @@ def test_what_the_grade_permits_the_teeth_and_where_a_tooth_stands_are_in_the_ta
     assert beside["Profile F_α, helix F_β"] == f"{F_alpha}, {F_beta} µm"
     assert beside["Runout F_r, ISO 1328-2:1997"] == f"{F_r} µm" and f"{F_r / 1e3:g}" in said, "and in the frame"
     assert beside["Heat treatment, ISO 6336-5"] == "case-hardened, MQ"
-    assert beside["A tooth at, cylinder 1 at TDC"] == "354.22°"
+    # three standard deviations of the scatter, 10 g, 0.05 mm, 0.1° and 0.1 mm; timing 0.1°
+    assert beside["A tooth at, cylinder 1 at TDC"] == "354.22° ±0.3°"
+    at = said.index("±, 3 σ")
+    assert said[at + 1 : at + 5] == ["0.03", "0.15", "0.3°", "0.3"]
 
 
 def test_journals_are_datums_and_what_turns_with_them_runs_true_about_both(sheet):
