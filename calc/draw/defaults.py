@@ -46,7 +46,7 @@ def share(width: Metre, of: float) -> Metre:
 def said() -> Text:
     """The note of every sheet."""
     return Text(
-        "Draughtsman's choice elsewhere: general tolerances {general}; Ra {ra}; edges broken {edges} × 45°.",
+        "Draughtsman's choice elsewhere: general tolerances {general}; Ra {ra}; edges broken {edges}×45°.",
         general=GENERAL,
         ra=number(UNITS["µm"].shown(ROUGHNESS), 1),
         edges=number(UNITS["mm"].shown(EDGES), 1),

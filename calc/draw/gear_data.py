@@ -38,9 +38,9 @@ def gear_rows(results: "Results", wheel: "WheelResult", say: Say) -> Rows:
     if (friction := results.design.friction) is not None and (Ra := _flanks(friction, train, wheel.name)) is not None:
         rows.append((Text("Roughness of the flanks"), roughness(Ra)))
     rows += _strength(train, wheel.name)
-    if (tooth := tooth_angle(train, wheel.name)) is not None:
+    if wheel is shaft_wheel(results) and (tooth := tooth_angle(train, wheel.name)) is not None:
         words, shaft = degrees(tooth % (2 * math.pi), TURNED), results.design.countershaft
-        if shaft is not None and shaft.scatter is not None and shaft.scatter.timing and wheel is shaft_wheel(results):
+        if shaft is not None and shaft.scatter is not None and shaft.scatter.timing:
             late = degrees(defaults.SIGMAS * shaft.scatter.timing, TURNED)
             words = Text("{angle} ±{late}", angle=words, late=late)
         rows.append((Text("A tooth at, cylinder 1 at TDC"), words))

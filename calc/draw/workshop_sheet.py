@@ -285,14 +285,16 @@ def _room(paper: Paper, columns: Leaf, noted: Leaf) -> tuple[float, float]:
 
 
 def tables(parts: Iterable[SheetTable], paper: Paper = A3) -> Leaf:
-    """Tables one below the other: head, rows, widths of the columns; those without rows are left out.  What has no
-    room above the title block stands in a further column to the left."""
-    leaf, x, y = Leaf(), 0.0, 0.0
+    """Tables one below the other: head, rows, widths of the columns; those without rows are left out.  None stands on
+    the centring mark of the frame.  What has no room above the title block stands in a further column to the left."""
+    leaf, x, y, mark = Leaf(), 0.0, 0.0, paper.high / 2 - paper.top
     for head, rows, columns in parts:
         if rows:
             block = Leaf()
             block.table(rows, columns, head)
             low = block.extent[1]
+            if not x and y + low < mark < y < 0:
+                y = mark - BELOW / 2
             if y < 0 and y + low < BLOCK_TOP + STAMP + BELOW - paper.top:
                 x, y = x - sum(COLUMNS) - BELOW, -UNDER_MARK
             leaf.add(block, x, y)

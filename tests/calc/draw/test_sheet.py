@@ -410,6 +410,17 @@ def test_tables_that_have_no_room_above_the_title_block_stand_beside_the_others(
     assert all(A3.top + leaf.extent[1] >= BLOCK_TOP for leaf in (one, two))
 
 
+def test_no_table_stands_on_the_centring_mark():
+    data, results = solved("seats")
+    sheet = shaft_sheet(results, data=data)
+    x, y = sheet.paper.right * MM - 0.005, sheet.paper.high / 2 * MM
+    for mark in sheet.around:
+        if isinstance(mark, Polyline) and mark.layer == TABLE:
+            (left, low), (right, top) = map(min, zip(*mark.points)), map(max, zip(*mark.points))
+            of_the_grid = right > (sheet.paper.right + 1) * MM
+            assert of_the_grid or not (left < x < right and low < y < top), mark
+
+
 def test_the_clearance_of_the_journals_is_noted(sheet, gamma_results):
     front, rear = (gamma_results.values()[f"bearings.{place}.clearance"].shown for place in ("front", "rear"))
     said = " ".join(words.text for words in letters(sheet))
@@ -421,7 +432,7 @@ def test_what_the_design_does_not_give_is_said_and_not_put_in(sheet):
     for text in (
         "Not given by the design: heat treatment of the journals",
         "places of the calibration",
-        "Draughtsman's choice elsewhere: general tolerances ISO 2768-mK; Ra 3.2; edges broken 0.3 × 45°.",
+        "Draughtsman's choice elsewhere: general tolerances ISO 2768-mK; Ra 3.2; edges broken 0.3×45°.",
     ):
         assert text in said
     assert (
