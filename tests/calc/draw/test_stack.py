@@ -6,7 +6,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from calc.draw.side_view import Shelf, Span, rows, shelves
+from calc.draw.placing import Shelf, Span, rows, shelves
 
 H = 2.5
 CHAINS = st.lists(st.floats(0.5, 60.0), min_size=1, max_size=9)
