@@ -8,7 +8,7 @@ import numpy as np
 
 from ...sheet.arrays import Array, BoolArray, ComplexArray
 from ...sheet.formula import formula
-from ...sheet.functions import cos, largest, modulus, pi, sin, smallest, sqrt
+from ...sheet.functions import cos, largest, modulus, pi, sin, smallest, sqrt, total
 from ...sheet.text import Text
 from ...sheet.units import (
     KilogramMetre,
@@ -311,9 +311,25 @@ def moment_place(u: Bent) -> Metre:
     return float(u.moment_z[np.abs(u.moment).argmax()])
 
 
-@formula("M", FINITE, shows=Text("largest |M| on each piece, from {turning}", turning=TURNING))
-def piece_moments(z_1: Metres, z_2: Metres, u: Bent) -> NewtonMetres:
-    """The pieces reach from z_1 to z_2."""
+@formula(
+    "M_s",
+    "statics: moment of the forces on one side of a section, without what bending adds to them while the shaft turns",
+    meanings={"P": "Forces on one side of the section", "z": "Places of the forces", "z_s": "Place of the section"},
+)
+def moment_by_statics(P: PhasorNewtons, z: Metres, z_s: Metre) -> NewtonMetre:
+    """>>> round(moment_by_statics(P=np.array([1715.0 + 0j]), z=np.array([0.1675]), z_s=0.1518), 2)
+    26.93
+    """
+    return modulus(total(P * (z - z_s)))
+
+
+@formula(
+    "M",
+    FINITE,
+    shows=Text("largest |M| on each piece, from {turning}; M_s where the stress is largest", turning=TURNING),
+)
+def piece_moments(z_1: Metres, z_2: Metres, u: Bent, M_s: NewtonMetre) -> NewtonMetres:
+    """The pieces reach from z_1 to z_2; `M_s` stands beside, found on another way."""
     ends = np.stack([z_1, z_2], 1)
     at_ends = np.abs(u.moment_at(ends)).max(1)
     size = np.abs(u.moment)
@@ -322,8 +338,9 @@ def piece_moments(z_1: Metres, z_2: Metres, u: Bent) -> NewtonMetres:
     return moments
 
 
-@formula("M_h", FINITE, shows="|M| at the shoulder")
-def shoulder_moment(z: Metre, u: Bent) -> NewtonMetre:
+@formula("M_h", FINITE, shows="|M| at the shoulder; by statics M_s")
+def shoulder_moment(z: Metre, u: Bent, M_s: NewtonMetre) -> NewtonMetre:
+    """`M_s` stands beside, found on another way."""
     return float(abs(u.moment_at(np.asarray(z))))
 
 

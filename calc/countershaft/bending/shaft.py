@@ -51,9 +51,10 @@ STEP = 1e-6  # m: radii that differ by less make no shoulder
 
 
 def stresses(
-    outline: Outline, bent: Bent, M_max: NewtonMetre, fillet: Metre | None
+    shaft: "_Shaft", bent: Bent, M_max: NewtonMetre, fillet: Metre | None
 ) -> tuple[dict[str, float], tuple[Text, ...]]:
     """Nominal stresses of the pieces, and the shoulder whose fillet is stressed most; notes on it."""
+    outline = shaft.outline
     c: Array = column(outline.pieces, "outer_radius")
     sector = np.array([p.half_angle is not None for p in outline.pieces])
     if sector.any():
@@ -64,30 +65,47 @@ def stresses(
         c = where(sector, f.farthest_fibre(R=R, y=s.whole_centre(S=S, A_tot=A), r_0=r_0, gamma=gamma), c[~sector])
     start, end = column(outline.pieces, "start"), column(outline.pieces, "end")
     I = outline.inertia
-    M = f.piece_moments(z_1=start, z_2=end, u=bent)
+    with untraced():
+        k = int(f.bending_stress(M=f.piece_moments(z_1=start, z_2=end, u=bent, M_s=0.0), c=c, I=I).argmax())
+    size = np.abs(bent.moment)
+    indices = np.flatnonzero((bent.moment_z >= start[k] - STEP) & (bent.moment_z <= end[k] + STEP))
+    z_k = based_on(float(bent.moment_z[indices[size[indices].argmax()]]), bent)
+    M = f.piece_moments(z_1=start, z_2=end, u=bent, M_s=_by_statics(shaft, bent, z_k))
     stress = f.bending_stress(M=M, c=c, I=I)
-    k, size = int(stress.argmax()), np.abs(bent.moment)
     z_M = f.moment_place(u=bent)
     here = [i for i in range(start.size) if start[i] - STEP <= z_M <= end[i] + STEP]
     i = max(here, key=lambda i: float(c[i] / I[i]))
-    indices = np.flatnonzero((bent.moment_z >= start[k] - STEP) & (bent.moment_z <= end[k] + STEP))
     known = dict(
         largest_moment_z=z_M,
         stress_at_largest_moment=f.bending_stress(M=M_max, c=item(c[i]), I=item(I[i])),
         bending_stress=item(stress[k]),
-        bending_stress_z=based_on(float(bent.moment_z[indices[size[indices].argmax()]]), bent),
+        bending_stress_z=z_k,
     )
-    notch_of, notes = ({}, ()) if fillet is None else _notch(outline, bent, c, fillet)
+    notch_of, notes = ({}, ()) if fillet is None else _notch(shaft, bent, c, fillet)
     return known | notch_of, notes
 
 
-def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, float], tuple[Text, ...]]:
+def _by_statics(shaft: "_Shaft", bent: Bent, z_s: Metre) -> NewtonMetre:
+    """The moment at a section from the forces on that side of it where there are fewer: the beam's, proven by hand."""
+    z, q = np.asarray(shaft.given["z"]), np.asarray(shaft.given["q"])
+    sides = []
+    for side, a, b in ((1.0, np.maximum(z[:-1], z_s), z[1:]), (-1.0, z[:-1], np.minimum(z[1:], z_s))):
+        P = np.concatenate([q * np.maximum(b - a, 0.0), shaft.given["F"], bent.reactions])
+        places = np.concatenate([(a + b) / 2, shaft.places, shaft.given["z_B"]])
+        there = (side * (places - z_s) > 0) & (P != 0)
+        sides.append((P[there], places[there]))
+    P, places = min(sides, key=lambda one: one[0].size)
+    moment: float = f.moment_by_statics(P=based_on(P, bent), z=based_on(places, *shaft.given["z_B"]), z_s=z_s)
+    return moment
+
+
+def _notch(shaft: "_Shaft", bent: Bent, c: Array, r: Metre) -> tuple[dict[str, float], tuple[Text, ...]]:
     """The shoulder with the largest stress at its fillet: the round one from the larger diameter down to that of the
     weaker section.
 
     A sector counts there with its core, at whose back its shoulder to a full section lies; of two sectors on one core,
     with its edge. Shoulders lower than a tenth of the fillet, where the fit ends, are left out and said."""
-    shoulders = []
+    outline, shoulders = shaft.outline, []
     low = 0
     for i, k in pairwise(range(len(outline.pieces))):
         weak = min(i, k, key=lambda n: float(outline.inertia[n]))
@@ -124,7 +142,8 @@ def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, 
 
     def stressed(shoulder: tuple[Metre, int, Metre, Metre]) -> dict[str, float]:
         z, weak, D, d = shoulder
-        sigma = f.bending_stress(M=f.shoulder_moment(z=z, u=bent), c=item(c[weak]), I=item(outline.inertia[weak]))
+        M = f.shoulder_moment(z=z, u=bent, M_s=_by_statics(shaft, bent, z))
+        sigma = f.bending_stress(M=M, c=item(c[weak]), I=item(outline.inertia[weak]))
         x, K_t = fatigue.shoulder_bending(D=D, d=d, r=r)
         return dict(
             notch_z=z, notch_factor=K_t, notch_stress=fatigue.notch_stress(K_t=K_t, sigma=sigma), step_over_fillet=x
@@ -316,7 +335,7 @@ def bending(
         slopes = f.slopes(EI=EI_s, **given, u=bent)
         M_max = f.largest_moment(EI=EI_s, **given, u=bent)
         vibrating, frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
-        stressed, notes = stresses(outline, bent, M_max, fillet_radius)
+        stressed, notes = stresses(shaft, bent, M_max, fillet_radius)
         if fillet_radius is not None:  # a shaft without a shoulder is judged by its sections
             stressed |= run_up_fatigue(stressed.get("notch_stress") or stressed["bending_stress"], material)
         at_limit = _share_at_limit(

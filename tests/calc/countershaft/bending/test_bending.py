@@ -322,3 +322,17 @@ def test_the_shear_coefficient_and_the_edge():
     assert f.shear_modulus(E=206e9, nu=0.29) == pytest.approx(79.84e9, rel=1e-4)
     for theta, l, a in ((0.15625, 27.5, 2.15), (0.11501, 26.5, 1.52), (0.25, 27.5, 3.44)):
         assert f.edge_displacement(theta=theta * 1e-3, l=l * mm) * 1e6 == pytest.approx(a, abs=0.005)
+
+
+def test_statics_prove_the_moments_of_the_beam():
+    """On either side of a section the same: a reaction times its arm, and what loads the beam there."""
+    shaft = b.prepared(example(), STEEL, OMEGA, (FRONT, REAR), further())
+    bent_shaft = b.bend(shaft.model(f.bending_stiffness(E=STEEL.E, I=shaft.outline.inertia)), OMEGA)
+    for z in (-0.16, -0.1, -0.02, 0.0, 0.05, 0.1, 0.152):
+        by_beam = abs(bent_shaft.moment_at(np.asarray(z)))
+        assert b._by_statics(shaft, bent_shaft, z) == pytest.approx(by_beam, rel=5e-3, abs=0.05)
+    with trace() as lines:
+        r = b.bending(example(), STEEL, OMEGA, (FRONT, REAR), fillet_radius=1.5 * mm)
+    by_hand = abs(r.reactions[1]) * 15.5 * mm
+    sums = [line.value for line in lines if line.formula.symbol == "M_s"]
+    assert sums == pytest.approx([by_hand, by_hand], rel=1e-9)
