@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import groupby
 
 from calc.sheet.number import DIGITS
 from calc.sheet.quantity import Published
@@ -121,9 +122,11 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["unit"], width=44.0),
         Column(w["id"]),
     )
+    together = groupby(part.values.values(), lambda v: (v.symbol.partition("_")[0], v.unit) if v.symbol else v.id)
+    written = [text for _, some in together for text in in_column(context, [v.shown for v in some], 0)]
     rows = [
-        (name, _symbol(context, v), context.written(v.shown), v.unit, Cell(context.whole_id(v.id), KEY))
-        for v, name in _named(context, part.values.values())
+        (name, _symbol(context, v), text, v.unit, Cell(context.whole_id(v.id), KEY))
+        for (v, name), text in zip(_named(context, part.values.values()), written)
     ]
     title = part.name[:1].upper() + part.name[1:]
     return (
@@ -231,16 +234,16 @@ def _cell(cell: str | float | None, texts: Iterator[str]) -> Cell:
     return Cell(cell, align="l") if isinstance(cell, str) else Cell(next(texts), align="r")
 
 
-def in_column(context: Context, numbers: Sequence[float | None]) -> list[str]:
+def in_column(context: Context, numbers: Sequence[float | None], beyond: int = 3) -> list[str]:
     """Numbers of one quantity below or beside each other with the same decimals: as many as show four digits of the
-    largest and three of the smallest, but no more than three beyond the former; of whole numbers none.  A number that
+    largest and three of the smallest, but no more than so many `beyond` the former; of whole numbers none.  A number that
     they would make nought stands with its own digits; so do all where powers of ten lie between them."""
     sizes = [abs(x) for x in numbers if x is not None and math.isfinite(x) and x]
     if not sizes or not LEAST <= max(sizes) < MOST or any(isinstance(x, bool) for x in numbers):
         return ["" if x is None else context.written(x) for x in numbers]
     of_largest = DIGITS - 1 - math.floor(math.log10(max(sizes)))
     of_smallest = DIGITS - 2 - math.floor(math.log10(min(sizes)))
-    decimals = max(0, min(max(of_largest, of_smallest), of_largest + 3))
+    decimals = max(0, min(max(of_largest, of_smallest), of_largest + beyond))
     while decimals and all(_ends(x, decimals - 1) for x in sizes):
         decimals -= 1
 
