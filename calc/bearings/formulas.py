@@ -7,7 +7,7 @@ from ..sheet.functions import pi, sqrt
 from ..sheet.units import Newton, Number, Radian, RadPerSecond, RevPerSecond
 
 
-@formula("ω", "definition of angular speed")
+@formula("ω", "definition of angular speed", meanings={"n": "Speed"})
 def angular_speed(n: RevPerSecond) -> RadPerSecond:
     return 2 * pi * n
 
@@ -36,6 +36,7 @@ def overspeed(n: RevPerSecond, s: Number) -> RevPerSecond:
     "F",
     "dynamics: load of eccentric masses, which grows with the square of the speed",
     names={"F": "F_rated", "n_0": "n_rated"},
+    meanings={"n": "Speed"},
 )
 def load_at_speed(F: Newton, n: RevPerSecond, n_0: RevPerSecond) -> Newton:
     return F * (n / n_0) ** 2

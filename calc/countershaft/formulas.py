@@ -91,7 +91,7 @@ def mass_moment(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre) -> NewtonM
     return omega**2 * m * e * abs(z)
 
 
-@formula("N_p", "mathematics: sum over the list of parts", names={"n": "n_p"})
+@formula("N_p", "mathematics: sum over the list of parts", names={"n": "n_p"}, meanings={"n": "Number of each part"})
 def part_count(n: Number) -> Number:
     return total(n)
 
@@ -199,14 +199,26 @@ def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMet
 LATE = Text("kinematics: a shaft late by δ, in its own angle; σ_S = 1 with the crank, −1 against it")
 
 
-@formula("F_S,δ", LATE, names={"sigma": "σ_S", "delta": "δ_S"})
+@formula(
+    "F_S,δ",
+    LATE,
+    names={"sigma": "σ_S", "delta": "δ_S"},
+    meanings={"sigma": "Sense of the shaft's rotation, 1 or −1", "delta": "Angle by which the shaft is late"},
+)
 def late_force(F_S: PhasorNewton, sigma: Number, delta: Radian) -> PhasorNewton:
     """A vector that turns backward is F·e^(−iωt): a lag is e^(+iδ) there.  Early: δ below zero."""
     return F_S * cis(-sigma * delta)
 
 
 @formula(
-    "C_S,δ", Text("{late}; its couple too large by s", late=LATE), names={"s": "s_C", "sigma": "σ_S", "delta": "δ_S"}
+    "C_S,δ",
+    Text("{late}; its couple too large by s", late=LATE),
+    names={"s": "s_C", "sigma": "σ_S", "delta": "δ_S"},
+    meanings={
+        "s": "Excess of the couple, as a share",
+        "sigma": "Sense of the shaft's rotation, 1 or −1",
+        "delta": "Angle by which the shaft is late",
+    },
 )
 def late_couple(C_S: PhasorNewtonMetre, s: Number, sigma: Number, delta: Radian) -> PhasorNewtonMetre:
     return C_S * (1 + s) * cis(-sigma * delta)
@@ -254,7 +266,12 @@ def line_weight(mu: KilogramPerMetre) -> NewtonPerMetre:
     return mu * G
 
 
-@formula("G_B", "statics: lever about the other bearing", names={"z_S": "z_S"})
+@formula(
+    "G_B",
+    "statics: lever about the other bearing",
+    names={"z_S": "z_S"},
+    meanings={"z_S": "Place of the centre of gravity"},
+)
 def lever_weight(G_S: Newton, z_S: Metre, z_o: Metre, z_B: Metre) -> Newton:
     """On the bearing at z_B, of two, the other one at z_o."""
     return G_S * (z_S - z_o) / (z_B - z_o)
@@ -378,7 +395,12 @@ def wall_beside(w: Metre, d: Metre, D_w: Metre) -> Metre:
     return w - (d - D_w) / 2
 
 
-@formula("c_R", "geometry: room of a piece of the shaft in an opening that it passes", unit="mm")
+@formula(
+    "c_R",
+    "geometry: room of a piece of the shaft in an opening that it passes",
+    unit="mm",
+    meanings={"D_b": "Diameter of the opening"},
+)
 def room_on_the_way(D_b: Metre, R: Metre) -> Metre:
     """>>> room_on_the_way(D_b=0.0403, R=0.019976)
     0.000174...

@@ -125,7 +125,12 @@ def cylinder_inertia(R: Metre) -> Metre4:
     return pi * R**4 / 4
 
 
-@formula("I_p", "geometry, polar moment of sector and core about the axis; a full cylinder: γ = π", unit="mm⁴")
+@formula(
+    "I_p",
+    "geometry, polar moment of sector and core about the axis; a full cylinder: γ = π",
+    unit="mm⁴",
+    meanings={"R": "Radius of the cylinder"},
+)
 def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
     return gamma * (R**4 - r_0**4) / 2 + pi * r_0**4 / 2
 
@@ -305,7 +310,12 @@ def pieces_mass(rho: KilogramPerMetre3, A: SquareMetres, l: Metres) -> Kilogram:
     return rho * resultant(A * l)
 
 
-@formula("z_S", "geometry: centre of gravity of the pieces", unit="mm")
+@formula(
+    "z_S",
+    "geometry: centre of gravity of the pieces",
+    unit="mm",
+    meanings={"rho": "Density", "A": "Areas of the pieces"},
+)
 def pieces_centre(rho: KilogramPerMetre3, A: SquareMetres, l: Metres, z: Metres, m_S: Kilogram) -> Metre:
     return rho * resultant(A * l * z) / m_S
 
@@ -327,7 +337,7 @@ def centre(
     return (rho * resultant(A * l * z) + resultant(m * z_m)) / m_S
 
 
-@formula("J_S", "geometry: moment of inertia about the axis, of the pieces", unit="kg·mm²")
+@formula("J_S", "geometry: moment of inertia about the axis, of the pieces", unit="kg·mm²", meanings={"rho": "Density"})
 def pieces_inertia(rho: KilogramPerMetre3, I_p: Metres4, l: Metres) -> KilogramMetre2:
     return rho * resultant(I_p * l)
 
@@ -356,22 +366,32 @@ def half_angle(t: Number) -> Radian:
     return gamma
 
 
-@formula("b", "geometry: length of a sector of that mass", unit="mm")
+@formula("b", "geometry: length of a sector of that mass", unit="mm", meanings={"rho": "Density"})
 def sector_length(m: Kilogram, rho: KilogramPerMetre3, A: SquareMetre) -> Metre:
     return m / (rho * A)
 
 
-@formula("R", "geometry: half of the diameter", unit="mm")
+@formula("R", "geometry: half of the diameter", unit="mm", meanings={"d": "Diameter of the piece"})
 def radius(d: Metre) -> Metre:
     return d / 2
 
 
-@formula("z_1", "geometry: front face of a stretch of length b around its middle", unit="mm")
+@formula(
+    "z_1",
+    "geometry: front face of a stretch of length b around its middle",
+    unit="mm",
+    meanings={"b": "Length of the stretch"},
+)
 def front_face(z: Metre, b: Metre) -> Metre:
     return z - b / 2
 
 
-@formula("z_2", "geometry: rear face of a stretch of length b around its middle", unit="mm")
+@formula(
+    "z_2",
+    "geometry: rear face of a stretch of length b around its middle",
+    unit="mm",
+    meanings={"b": "Length of the stretch"},
+)
 def rear_face(z: Metre, b: Metre) -> Metre:
     return z + b / 2
 
@@ -387,7 +407,13 @@ def lengths(z_1: Metre, z_2: Metre) -> Metre:
     return z_2 - z_1
 
 
-@formula("z", "geometry: middle of each piece of the shaft", unit="mm", names={"z_1": "z_a", "z_2": "z_b"})
+@formula(
+    "z",
+    "geometry: middle of each piece of the shaft",
+    unit="mm",
+    names={"z_1": "z_a", "z_2": "z_b"},
+    meanings={"z_1": "Front ends of the pieces", "z_2": "Rear ends of the pieces"},
+)
 def middles(z_1: Metre, z_2: Metre) -> Metre:
     return (z_1 + z_2) / 2
 
@@ -397,6 +423,7 @@ def middles(z_1: Metre, z_2: Metre) -> Metre:
     "rule of this program: the gear stands ahead of the front journal, against it",
     unit="mm",
     names={"l": "l_f", "b": "b_G"},
+    meanings={"l": "Length of the front journal"},
 )
 def gear_middle(z_f: Metre, l: Metre, b: Metre) -> Metre:
     return z_f - l / 2 - b / 2
@@ -407,6 +434,7 @@ def gear_middle(z_f: Metre, l: Metre, b: Metre) -> Metre:
     "geometry: static moment of the sectors, each along its middle, cylinder 1 at TDC",
     unit="mm³",
     names={"gamma": "φ"},
+    meanings={"gamma": "Directions of the eccentric masses"},
 )
 def directed_moment(S: CubicMetre, gamma: Radian) -> PhasorCubicMetre:
     return S * cis(gamma)

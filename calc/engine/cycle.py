@@ -84,7 +84,12 @@ def compression_end(p_in: Pascal, eps_c: Number, n_c: Number) -> Pascal:
     return p_in * power(eps_c, n_c)
 
 
-@formula("p_1", Text("{seiliger}: polytropic compression from BDC", seiliger=SEILIGER), unit="bar")
+@formula(
+    "p_1",
+    Text("{seiliger}: polytropic compression from BDC", seiliger=SEILIGER),
+    unit="bar",
+    meanings={"n_c": "Exponent of the compression"},
+)
 def compression(p_in: Pascal, h_c: Metre, s: Metre, x: Metre, n_c: Number) -> Pascal:
     return p_in * power((h_c + s) / (h_c + x), n_c)
 
@@ -93,6 +98,7 @@ def compression(p_in: Pascal, h_c: Metre, s: Metre, x: Metre, n_c: Number) -> Pa
     "p_2",
     Text("{seiliger}: polytropic expansion from the end of constant pressure, x_p", seiliger=SEILIGER),
     unit="bar",
+    meanings={"n_e": "Exponent of the expansion"},
 )
 def expansion(p_max: Pascal, h_c: Metre, x_p: Metre, x: Metre, n_e: Number) -> Pascal:
     return p_max * power((h_c + x_p) / (h_c + x), n_e)
@@ -176,7 +182,11 @@ def widest_gap(corners: Array, length: Radian) -> tuple[Radian, Radian]:
 # --- forces on the piston, and what they do at the crank
 
 
-@formula("F_G", "Finotti 2013, 2.2: gas force, crankcase pressure under the piston")
+@formula(
+    "F_G",
+    "Finotti 2013, 2.2: gas force, crankcase pressure under the piston",
+    meanings={"p_case": "Pressure in the crankcase"},
+)
 def gas_force(p: Pascal, p_case: Pascal, D: Metre) -> Newton:
     return (p - p_case) * pi / 4 * D**2
 

@@ -145,7 +145,7 @@ def brake_mean_pressure(P_e: Watt, strokes: Number, V_h: CubicMetre, n: RevPerSe
     return P_e * strokes / (2 * V_h * n)
 
 
-@formula("β", "Finotti 2013, 2.1: angle of the rod")
+@formula("β", "Finotti 2013, 2.1: angle of the rod", meanings={"alpha": "Crank angle from TDC"})
 def rod_angle(lam: Number, alpha: Radian, delta: Number) -> Radian:
     return asin(lam * sin(alpha) - delta)
 
@@ -160,7 +160,11 @@ def relative_path_two_term(alpha: Radian, lam: Number, delta: Number) -> Number:
     return 1 - cos(alpha) - delta * sin(alpha) + lam / 4 * (1 - cos(2 * alpha))
 
 
-@formula("v/(ω·r)", "kinematics: first derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
+@formula(
+    "v/(ω·r)",
+    "kinematics: first derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)",
+    meanings={"alpha": "Crank angle from TDC"},
+)
 def relative_speed(alpha: Radian, beta: Radian) -> Number:
     return sin(alpha) + cos(alpha) * tan(beta)
 
@@ -170,7 +174,11 @@ def relative_speed_two_term(alpha: Radian, lam: Number, delta: Number) -> Number
     return sin(alpha) - delta * cos(alpha) + lam / 2 * sin(2 * alpha)
 
 
-@formula("a/(ω²·r)", "kinematics: second derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
+@formula(
+    "a/(ω²·r)",
+    "kinematics: second derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)",
+    meanings={"alpha": "Crank angle from TDC"},
+)
 def relative_acceleration(alpha: Radian, beta: Radian, lam: Number) -> Number:
     return cos(alpha) - sin(alpha) * tan(beta) + lam * cos(alpha) ** 2 / cos(beta) ** 3
 

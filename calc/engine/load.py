@@ -57,7 +57,11 @@ INTAKE = 0.1e5, 3.0e5  # Pa
 # --- formulas
 
 
-@formula("S_p", "kinematics: mean speed of the piston, that at rated speed by the speed")
+@formula(
+    "S_p",
+    "kinematics: mean speed of the piston, that at rated speed by the speed",
+    meanings={"n": "Speed of the crank"},
+)
 def piston_speed(u_m: MetrePerSecond, n: RevPerSecond, n_r: RevPerSecond) -> MetrePerSecond:
     return u_m * n / n_r
 
@@ -68,6 +72,13 @@ def piston_speed(u_m: MetrePerSecond, n: RevPerSecond, n_r: RevPerSecond) -> Met
     "engine by κ",
     unit="bar",
     names={"kappa": "κ", "a": "a_mf", "b": "b_mf", "c": "c_mf", "d": "d_mf"},
+    meanings={
+        "n": "Speed of the crank",
+        "a": "Constant of the rule of friction",
+        "b": "Slope of the rule of friction over the speed",
+        "c": "Factor of the speed squared in the rule of friction",
+        "d": "Factor of the piston's speed squared in the rule of friction",
+    },
 )
 def friction_pressure(
     kappa: Number,
@@ -86,12 +97,24 @@ def friction_pressure(
     return kappa * (a + b * n + c * n**2 + d * S_p**2)
 
 
-@formula("κ", "rule of this program: what the rated power leaves of the indicated pressure, over the rule of friction")
+@formula(
+    "κ",
+    "rule of this program: what the rated power leaves of the indicated pressure, over the rule of friction",
+    meanings={"p_mi": "Indicated mean pressure at rated power", "p_mf": "Mean pressure of friction by the rule"},
+)
 def friction_factor(p_mi: Pascal, p_me: Pascal, p_mf: Pascal) -> Number:
     return (p_mi - p_me) / p_mf
 
 
-@formula("p_mi,0", "rule of this program: what a row without load has above the rule of friction stays", unit="bar")
+@formula(
+    "p_mi,0",
+    "rule of this program: what a row without load has above the rule of friction stays",
+    unit="bar",
+    meanings={
+        "p_mi_r": "Indicated mean pressure of the row that is given",
+        "p_mf_r": "Mean pressure of friction at the speed of that row",
+    },
+)
 def indicated_without_load(p_mf: Pascal, p_mi_r: Pascal, p_mf_r: Pascal) -> Pascal:
     """`p_mi_r`, `p_mf_r`: of the row that is given, and of the rule at its speed."""
     return p_mf + (p_mi_r - p_mf_r)
@@ -101,6 +124,13 @@ def indicated_without_load(p_mf: Pascal, p_mi_r: Pascal, p_mf_r: Pascal) -> Pasc
     "p_max,0",
     "energy: the indicated mean pressure is linear in the pressures of the cycle; the peak that gives it",
     unit="bar",
+    meanings={
+        "p_in": "Pressure of the intake",
+        "p_ex": "Pressure of the exhaust",
+        "k_max": "Mean pressure by that of the peak",
+        "k_in": "Mean pressure by that of intake and compression",
+        "k_ex": "Mean pressure by that of the exhaust",
+    },
 )
 def peak_without_load(p_mi: Pascal, p_in: Pascal, p_ex: Pascal, k_max: Number, k_in: Number, k_ex: Number) -> Pascal:
     """`k_max`, `k_in`, `k_ex`: mean pressure by 1 Pa of the peak, of intake with compression, of exhaust."""

@@ -57,7 +57,12 @@ HELD = 0.5  # share of the path on which Benedict and Kelley's bounds may hold
 XU = Text("Xu and Kahraman 2005")
 
 
-@formula("μ_m", "Schlenk 1994, ISO/TR 14179-2", names={"v_SumC": "v_Σ,C", "rho_C": "ρ_n,C"})
+@formula(
+    "μ_m",
+    "Schlenk 1994, ISO/TR 14179-2",
+    names={"v_SumC": "v_Σ,C", "rho_C": "ρ_n,C"},
+    meanings={"X_L": "Lubricant factor"},
+)
 def schlenk(
     w_t: NewtonPerMetre, v_SumC: MetrePerSecond, rho_C: Metre, eta_0: PascalSecond, Ra: Metre, X_L: Number
 ) -> Number:

@@ -107,7 +107,12 @@ def base_diameter(d: Metre, alpha_t: Radian) -> Metre:
     return d * cos(alpha_t)
 
 
-@formula("d_a", Text("{iso}: tip diameter; k is the tip cut, radial", iso=ISO), unit="mm")
+@formula(
+    "d_a",
+    Text("{iso}: tip diameter; k is the tip cut, radial", iso=ISO),
+    unit="mm",
+    meanings={"x": "Profile shift coefficient"},
+)
 def tip_diameter(d: Metre, m_n: Metre, x: Number, k: Metre) -> Metre:
     """>>> tip_diameter(d=0.05389, m_n=0.002, x=0.01423, k=0)
     0.05794692
@@ -115,7 +120,12 @@ def tip_diameter(d: Metre, m_n: Metre, x: Number, k: Metre) -> Metre:
     return d + 2 * m_n * (1 + x) - 2 * k
 
 
-@formula("d_f", Text("{iso}: root diameter made by the tool", iso=ISO), unit="mm")
+@formula(
+    "d_f",
+    Text("{iso}: root diameter made by the tool", iso=ISO),
+    unit="mm",
+    meanings={"x": "Profile shift coefficient"},
+)
 def root_diameter(d: Metre, m_n: Metre, x: Number, h_fP: Number) -> Metre:
     """>>> root_diameter(d=0.05389, m_n=0.002, x=0.01423, h_fP=1.41)
     0.04830692
@@ -132,7 +142,10 @@ def undercut_limit(h_fP: Number, rho_aP0: Number, alpha_n: Radian, z: Number, al
 
 
 @formula(
-    "h_F", Text("{iso}: depth of the end of the tool's straight flank below the reference circle", iso=ISO), unit="mm"
+    "h_F",
+    Text("{iso}: depth of the end of the tool's straight flank below the reference circle", iso=ISO),
+    unit="mm",
+    meanings={"x": "Profile shift coefficient"},
 )
 def straight_flank_depth(m_n: Metre, h_fP: Number, rho_aP0: Number, alpha_n: Radian, x: Number) -> Metre:
     return m_n * (h_fP - rho_aP0 * (1 - sin(alpha_n)) - x)
@@ -143,7 +156,12 @@ def form_diameter(d: Metre, alpha_t: Radian, h_F: Metre, d_b: Metre) -> Metre:
     return sqrt((d * sin(alpha_t) - 2 * h_F / sin(alpha_t)) ** 2 + d_b**2)
 
 
-@formula("s_t", Text("{iso}: transverse tooth thickness at the reference circle", iso=ISO), unit="mm")
+@formula(
+    "s_t",
+    Text("{iso}: transverse tooth thickness at the reference circle", iso=ISO),
+    unit="mm",
+    meanings={"x": "Profile shift coefficient"},
+)
 def reference_thickness(m_n: Metre, x: Number, alpha_n: Radian, beta: Radian) -> Metre:
     return m_n * (pi / 2 + 2 * x * tan(alpha_n)) / cos(beta)
 
@@ -168,12 +186,19 @@ def with_tolerance(d: Metre, T: Metre) -> Metre:
     return d + T
 
 
-@formula("α_yt", Text("{iso}: transverse pressure angle at a circle", iso=ISO))
+@formula(
+    "α_yt", Text("{iso}: transverse pressure angle at a circle", iso=ISO), meanings={"d_y": "Diameter of the circle"}
+)
 def pressure_angle_at(d_b: Metre, d_y: Metre) -> Radian:
     return acos(d_b / d_y)
 
 
-@formula("s_yt", Text("{iso}: transverse tooth thickness at a circle", iso=ISO), unit="mm")
+@formula(
+    "s_yt",
+    Text("{iso}: transverse tooth thickness at a circle", iso=ISO),
+    unit="mm",
+    meanings={"d_y": "Diameter of the circle"},
+)
 def thickness_at(d_y: Metre, s_t: Metre, d: Metre, alpha_t: Radian, alpha_yt: Radian) -> Metre:
     return d_y * (s_t / d + inv(alpha_t) - inv(alpha_yt))
 
@@ -183,13 +208,22 @@ def normal_thickness_at(s_yt: Metre, beta: Radian, d_y: Metre, d: Metre) -> Metr
     return s_yt * cos(atan(tan(beta) * d_y / d))
 
 
-@formula("ρ_y", Text("{iso}: radius of curvature of the flank at a circle, transverse", iso=ISO), unit="mm")
+@formula(
+    "ρ_y",
+    Text("{iso}: radius of curvature of the flank at a circle, transverse", iso=ISO),
+    unit="mm",
+    meanings={"d_y": "Diameter of the circle"},
+)
 def curvature_at(d_y: Metre, d_b: Metre) -> Metre:
     return sqrt(d_y**2 - d_b**2) / 2
 
 
 @formula(
-    "d_y", Text("{iso}: circle on which the flank has a radius of curvature", iso=ISO), unit="mm", names={"rho": "ρ_y"}
+    "d_y",
+    Text("{iso}: circle on which the flank has a radius of curvature", iso=ISO),
+    unit="mm",
+    names={"rho": "ρ_y"},
+    meanings={"rho": "Radius of curvature of the flank there"},
 )
 def diameter_at(d_b: Metre, rho: Metre) -> Metre:
     return sqrt(d_b**2 + 4 * rho**2)
@@ -236,7 +270,11 @@ def centre_modification(a_w: Metre, d_1: Metre, d_2: Metre, m_n: Metre) -> Numbe
     return joined(a_w, -(d_1 + d_2) / 2) / m_n
 
 
-@formula("Σx", Text("{iso}: sum of the shifts of both wheels", iso=ISO))
+@formula(
+    "Σx",
+    Text("{iso}: sum of the shifts of both wheels", iso=ISO),
+    meanings={"x_1": "Profile shift coefficient of the driver"},
+)
 def sum_of_shifts(x_1: Number, x_2: Number) -> Number:
     return x_1 + x_2
 
@@ -275,7 +313,11 @@ def mate_shift(x_sum: Number, x_m: Number) -> Number:
     return x_sum - x_m
 
 
-@formula("inv α_wt", Text("{iso}: working pressure angle without backlash", iso=ISO))
+@formula(
+    "inv α_wt",
+    Text("{iso}: working pressure angle without backlash", iso=ISO),
+    meanings={"x_1": "Profile shift coefficient of the driver"},
+)
 def working_involute(alpha_t: Radian, alpha_n: Radian, x_1: Number, x_2: Number, z_1: Number, z_2: Number) -> Number:
     return inv(alpha_t) + 2 * tan(alpha_n) * (x_1 + x_2) / (z_1 + z_2)
 
@@ -326,7 +368,12 @@ def centre_distance(z_1: Number, z_2: Number, m_t: Metre, alpha_t: Radian, alpha
     return (z_1 + z_2) * m_t * cos(alpha_t) / (2 * cos(alpha_wt))
 
 
-@formula("k*·m_n", Text("{iso}: tip shortening that would keep the standard clearance", iso=ISO), unit="mm")
+@formula(
+    "k*·m_n",
+    Text("{iso}: tip shortening that would keep the standard clearance", iso=ISO),
+    unit="mm",
+    meanings={"x_1": "Profile shift coefficient of the driver"},
+)
 def standard_tip_shortening(x_1: Number, x_2: Number, m_n: Metre, a_w: Metre, d_1: Metre, d_2: Metre) -> Metre:
     return (x_1 + x_2) * m_n - joined(a_w, -(d_1 + d_2) / 2)
 

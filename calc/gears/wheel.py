@@ -258,7 +258,11 @@ def _must_stay_a_tooth(bare: _Bare, E_W: Metre, s_t: Metre, d_f: Metre, d_Ff: Me
 # --- the bodies of the wheels: what each weighs
 
 
-@formula("m_W", "geometry: disc of the reference diameter, open inside its rim or its bore")
+@formula(
+    "m_W",
+    "geometry: disc of the reference diameter, open inside its rim or its bore",
+    meanings={"rho": "Density", "d_i": "Inside diameter of the rim"},
+)
 def wheel_mass(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> Kilogram:
     """>>> wheel_mass(rho=7860, b=0.015, d=0.054, d_i=0.0)
     0.27001...

@@ -48,7 +48,13 @@ def shaft_unbalance(F_n: PhasorNewton, i: Number, omega: RadPerSecond) -> Kilogr
     return modulus(F_n) / (i * omega) ** 2
 
 
-@formula("U·Δz", SHAFTS, unit="kg·mm²", names={"C_n": "C"})
+@formula(
+    "U·Δz",
+    SHAFTS,
+    unit="kg·mm²",
+    names={"C_n": "C"},
+    meanings={"i": "Speed of the shaft over that of the crank", "C_n": "Couple of the order"},
+)
 def shaft_product(C_n: PhasorNewtonMetre, i: Number, omega: RadPerSecond) -> KilogramMetre2:
     """Unbalance times arm of a shaft that turns at i times crank speed and takes the couple C."""
     return modulus(C_n) / (i * omega) ** 2
@@ -59,7 +65,12 @@ def unbalance_direction(F_n: PhasorNewton) -> Radian:
     return argument(-F_n)
 
 
-@formula("∠U·Δz", "dynamics: opposite to the couple that it takes, cylinder 1 at TDC", names={"C_n": "C"})
+@formula(
+    "∠U·Δz",
+    "dynamics: opposite to the couple that it takes, cylinder 1 at TDC",
+    names={"C_n": "C"},
+    meanings={"C_n": "Couple of the order"},
+)
 def product_direction(C_n: PhasorNewtonMetre) -> Radian:
     return argument(-C_n)
 
@@ -69,7 +80,12 @@ def supplied_force(i: Number, omega: RadPerSecond, U: KilogramMetre, gamma: Radi
     return (i * omega) ** 2 * U * cis(gamma)
 
 
-@formula("C_S", "dynamics: centrifugal couple of two opposed unbalances", names={"P": "U·Δz"})
+@formula(
+    "C_S",
+    "dynamics: centrifugal couple of two opposed unbalances",
+    names={"P": "U·Δz"},
+    meanings={"i": "Speed of the shaft over that of the crank"},
+)
 def supplied_couple(i: Number, omega: RadPerSecond, P: KilogramMetre2, gamma: Radian) -> PhasorNewtonMetre:
     return (i * omega) ** 2 * P * cis(gamma)
 
@@ -78,6 +94,11 @@ def supplied_couple(i: Number, omega: RadPerSecond, P: KilogramMetre2, gamma: Ra
     "F_left",
     "geometry, sum of engine and shafts: half the long axis of the ellipse",
     names={"F_f": "F⁺", "F_b": "F⁻", "S_f": "F_S⁺", "S_b": "F_S⁻"},
+    meanings={
+        "F_f": "Force of the order that turns forward",
+        "S_f": "Force of the shafts that turns forward",
+        "S_b": "Force of the shafts that turns backward",
+    },
 )
 def force_left(F_f: PhasorNewton, S_f: PhasorNewton, F_b: PhasorNewton, S_b: PhasorNewton) -> Newton:
     return modulus(joined(F_f, S_f)) + modulus(joined(F_b, S_b))
@@ -87,6 +108,11 @@ def force_left(F_f: PhasorNewton, S_f: PhasorNewton, F_b: PhasorNewton, S_b: Pha
     "C_left",
     "geometry, sum of engine and shafts: half the long axis of the ellipse",
     names={"C_f": "C⁺", "C_b": "C⁻", "S_f": "C_S⁺", "S_b": "C_S⁻"},
+    meanings={
+        "C_f": "Couple of the order that turns forward",
+        "S_f": "Couple of the shafts that turns forward",
+        "S_b": "Couple of the shafts that turns backward",
+    },
 )
 def couple_left(
     C_f: PhasorNewtonMetre, S_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre, S_b: PhasorNewtonMetre
@@ -107,7 +133,7 @@ def roll_torque(p: PhasorMetre, F: PhasorNewton) -> NewtonMetre:
 M_EQ = Text("Finotti 2013, 2.5.3.1: bob mass of a crankpin, rotating mass and the share κ of the reciprocating one")
 
 
-@formula("M_eq", M_EQ, unit="g")
+@formula("M_eq", M_EQ, unit="g", meanings={"M_rot": "Rotating mass"})
 def equivalent_mass(M_rot: Kilogram, kappa: Number, M_alt: Kilogram) -> Kilogram:
     return M_rot + kappa * M_alt
 

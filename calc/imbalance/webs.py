@@ -157,12 +157,12 @@ BobMass = Annotated[Num, "kg"]  # the same on every pin, or of each its own
 MACHINE = 2 * math.pi * 400 / 60  # rad/s of the balancing machine (Finotti 2013, 2.6)
 
 
-@formula("S", TABLE, unit="kg·mm")
+@formula("S", TABLE, unit="kg·mm", meanings={"p": "Radii of the bodies, as vectors", "m": "Masses of the bodies"})
 def unbalance(m: Kilograms, p: PhasorMetres) -> PhasorKilogramMetre:
     return resultant(m * p)
 
 
-@formula("P_U", TABLE, unit="kg·mm²")
+@formula("P_U", TABLE, unit="kg·mm²", meanings={"p": "Radii of the bodies, as vectors", "m": "Masses of the bodies"})
 def product(m: Kilograms, p: PhasorMetres, z: Metres) -> PhasorKilogramMetre2:
     return resultant(m * p * z)
 
@@ -177,6 +177,7 @@ def crank_mass(m: Kilograms, m_b: Kilograms) -> Kilogram:
     "Finotti 2013, 2.6: one bob on every pin, without couple across the throw that stands up",
     unit="g",
     names={"C": "P_U", "G": "G_U"},
+    meanings={"G": "Sum of places and radii of the same mass on every pin"},
 )
 def equal_bob(C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
     """`C` of the bare crank; `G` of the same mass on every pin, per kilogram: sum of p·z.  Imaginary: across the throw
@@ -232,6 +233,7 @@ def unbalance_length(S: PhasorKilogramMetre) -> KilogramMetre:
     "∠P_U",
     "mathematics: direction with cylinder 1 at TDC; χ the crank's angle from the list of bodies to there",
     names={"P": "P_U", "turned": "χ"},
+    meanings={"turned": "Crank angle from the list of bodies to TDC"},
 )
 def state_direction(P: PhasorKilogramMetre2, turned: Radian) -> Radian:
     return argument(P * cis(turned))
@@ -242,7 +244,12 @@ def force_at(S: PhasorKilogramMetre, omega: RadPerSecond) -> Newton:
     return modulus(S) * omega**2
 
 
-@formula("C_ω", "dynamics: couple of the crank's own unbalance at rated speed", names={"P": "P_U"})
+@formula(
+    "C_ω",
+    "dynamics: couple of the crank's own unbalance at rated speed",
+    names={"P": "P_U"},
+    meanings={"omega": "Angular speed"},
+)
 def couple_at(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
 

@@ -60,6 +60,7 @@ def roughness_factor(Ra: Metre, rho_nC: Metre) -> Number:
     "μ_m",
     Text("{iso} (86): mean coefficient of friction", iso=ISO),
     names={"v_SumC": "v_Σ,C", "rho_nC": "ρ_n,C", "eta": "η_oil", "K_Bgamma": "K_Bγ"},
+    meanings={"X_L": "Lubricant factor", "K_Bgamma": "Helical load factor"},
 )
 def mean_friction(
     w_t: NewtonPerMetre,
@@ -97,7 +98,12 @@ def ohlendorf_loss_factor_high(eps_alpha: Number, z_1: Number, z_2: Number, beta
     return 0.5 * eps_alpha * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
 
 
-@formula("ΔΘ_M", Text("{iso} (84): teeth above oil", iso=ISO), names={"X_Ca": "X_Ca"})
+@formula(
+    "ΔΘ_M",
+    Text("{iso} (84): teeth above oil", iso=ISO),
+    names={"X_Ca": "X_Ca"},
+    meanings={"X_S": "Factor of the lubrication", "X_Ca": "Factor of the tip relief"},
+)
 def bulk_rise(P: Watt, mu_m: Number, H_v: Number, a: Metre, b: Metre, X_S: Number, X_Ca: Number) -> Kelvin:
     return RISE * (P * mu_m * H_v / (KILOWATT_PER_SQUARE_MILLIMETRE * a * b)) ** 0.72 * X_S / (1.2 * X_Ca)
 
@@ -116,6 +122,12 @@ HERTZ = Text("Hertz 1881, line contact")
     "E_r",
     Text("{hertz}; ISO/TR 15144-1:2014 (6), ISO/TR 13989-1:2000 (A.10): reduced modulus of elasticity", hertz=HERTZ),
     unit="GPa",
+    meanings={
+        "nu_1": "Poisson's ratio of the driver",
+        "E_1": "Modulus of elasticity of the driver",
+        "nu_2": "Poisson's ratio of the driven wheel",
+        "E_2": "Modulus of elasticity of the driven wheel",
+    },
 )
 def reduced_modulus(nu_1: Number, E_1: Pascal, nu_2: Number, E_2: Pascal) -> Pascal:
     """>>> reduced_modulus(nu_1=0.3, E_1=206000000000.0, nu_2=0.3, E_2=206000000000.0)
@@ -176,12 +188,18 @@ def pitch_point(T: Metre, z_1: Number, z_2: Number) -> Metre:
     Text("{geometry}: radius of curvature of the driven flank", geometry=GEOMETRY),
     unit="mm",
     names={"T": "T_1T_2"},
+    meanings={"rho_1": "Radius of curvature of the driver there"},
 )
 def driven_curvature(T: Metre, rho_1: Metre) -> Metre:
     return T - rho_1
 
 
-@formula("ρ_rel", "ISO/TR 13989-1:2000 (6): relative radius of curvature, transverse", unit="mm")
+@formula(
+    "ρ_rel",
+    "ISO/TR 13989-1:2000 (6): relative radius of curvature, transverse",
+    unit="mm",
+    meanings={"rho_1": "Radius of curvature of the driver there"},
+)
 def relative_radius(rho_1: Metre, rho_2: Metre) -> Metre:
     """>>> relative_radius(rho_1=0.009905, rho_2=0.01426)
     0.005845036...
@@ -197,7 +215,10 @@ def normal_relative_radius(rho_rel: Metre, beta_b: Radian) -> Metre:
 
 
 @formula(
-    "v_r", "ISO/TR 15144-1:2014 (14), (15), AGMA 925-A03: rolling speed of a flank, along itself", names={"rho": "ρ_y"}
+    "v_r",
+    "ISO/TR 15144-1:2014 (14), (15), AGMA 925-A03: rolling speed of a flank, along itself",
+    names={"rho": "ρ_y"},
+    meanings={"rho": "Radius of curvature of the flank there"},
 )
 def rolling_speed(n: RevPerSecond, rho: Metre) -> MetrePerSecond:
     return 2 * pi * modulus(n) * rho

@@ -46,7 +46,11 @@ KINDS = {
         fkm=FKM,
     ),
     unit="MPa",
-    meanings={"R_m": "Tensile strength", "return": "Alternating strength"},
+    meanings={
+        "R_m": "Tensile strength",
+        "return": "Alternating strength",
+        "f_W": "Alternating strength over the tensile strength",
+    },
 )
 def alternating_strength(f_W: Number, R_m: Pascal) -> Pascal:
     """>>> alternating_strength(f_W=0.40, R_m=1026e6)
@@ -74,7 +78,16 @@ def roughness_factor(a_R: Number, R_z: Number, R_m: Pascal, R_N: Pascal) -> Numb
     return 1 - a_R * log10(R_z) * log10(2 * R_m / R_N)
 
 
-@formula("M_σ", Text("{fkm}: mean-stress sensitivity", fkm=FKM), names={"a": "a_M", "b": "b_M"})
+@formula(
+    "M_σ",
+    Text("{fkm}: mean-stress sensitivity", fkm=FKM),
+    names={"a": "a_M", "b": "b_M"},
+    meanings={
+        "a": "Slope of the mean-stress sensitivity",
+        "R_m": "Tensile strength",
+        "b": "Constant of the mean-stress sensitivity",
+    },
+)
 def mean_sensitivity(a: PerPascal, R_m: Pascal, b: Number) -> Number:
     """>>> mean_sensitivity(a=0.35e-9, R_m=1026e6, b=-0.10)
     0.2591

@@ -46,7 +46,12 @@ FLATTEST, STEEPEST = (1.0, 6.0)
     "there, 0.7 in ASTM D341",
     unit="mm²/s",
     names={"T": "T_oil", "c": "c_ν"},
-    meanings={"c": "Constant of the viscosity line"},
+    meanings={
+        "c": "Constant of the viscosity line",
+        "T": "Temperature of the oil",
+        "C_2": "Intercept of the viscosity line",
+        "C_1": "Slope of the viscosity line",
+    },
 )
 def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> SquareMetrePerSecond:
     """>>> kinematic_viscosity(C_2=7.882, C_1=-3.039, T=120.9, c=0.6)
@@ -59,7 +64,7 @@ def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> Squa
     "ρ",
     "linear in temperature; reproduces the densities of Finotti 2013, 5.5.3, to their last digit",
     names={"T": "T_oil"},
-    meanings={"rho_15": "Density at 15 °C"},
+    meanings={"rho_15": "Density at 15 °C", "T": "Temperature of the oil"},
 )
 def density(rho_15: KilogramPerMetre3, T: Celsius) -> KilogramPerMetre3:
     """>>> density(rho_15=860, T=120.9)
@@ -72,6 +77,7 @@ def density(rho_15: KilogramPerMetre3, T: Celsius) -> KilogramPerMetre3:
     "c_p",
     "linear in temperature, identified from the tables without a number of Finotti 2013, 5.5.2 and 5.5.3",
     names={"T": "T_oil"},
+    meanings={"T": "Temperature of the oil"},
 )
 def specific_heat(T: Celsius) -> JoulePerKilogramKelvin:
     return CP_0 + CP_1 * T / ONE_KELVIN
@@ -89,6 +95,10 @@ def dynamic_viscosity(nu: SquareMetrePerSecond, rho: KilogramPerMetre3) -> Pasca
     "α",
     "AGMA 925-A03: α = k·ηˢ, η dynamic (the gear friction thesis, eq. 41, writes the kinematic one)",
     names={"k": "k_α", "s": "s_α"},
+    meanings={
+        "k": "Constant of the pressure-viscosity coefficient",
+        "s": "Exponent of the pressure-viscosity coefficient",
+    },
 )
 def pressure_viscosity(k: PerPascal, mu: PascalSecond, s: Number) -> PerPascal:
     return k * power(mu / MILLIPASCAL_SECOND, s)
@@ -116,7 +126,10 @@ def implied_viscosity(mu: PascalSecond, rho: KilogramPerMetre3) -> SquareMetrePe
 
 
 @formula(
-    "β_T", "mathematics, derivative of the viscosity and density laws: −d ln μ/dT", names={"T": "T_oil", "c": "c_ν"}
+    "β_T",
+    "mathematics, derivative of the viscosity and density laws: −d ln μ/dT",
+    names={"T": "T_oil", "c": "c_ν"},
+    meanings={"c": "Constant of the viscosity line"},
 )
 def temperature_coefficient(C_1: Number, nu: SquareMetrePerSecond, c: Number, T: Celsius) -> PerKelvin:
     return SLOPE / (1 - SLOPE * (T - REFERENCE)) - ln(10.0) * C_1 * log10(nu / CENTISTOKE + c) * (

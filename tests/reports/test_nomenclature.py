@@ -13,6 +13,7 @@ from calc.sheet.formula import FORMULAS, units
 from reports.blocks.nomenclature import BY_NAME, _in_common, _origin, _short, noted
 from reports.context import Context
 from reports.report import blocks
+from reports.report import context_of as whole_context
 from reports.typesetting.boxes import BETWEEN, SIGN
 from reports.typesetting.equation import spoken
 from reports.typesetting.pagination import Block, Formula, TextContent
@@ -170,17 +171,28 @@ def test_symbols_that_are_quoted_have_their_meaning(proven: Made) -> None:
 
 
 def test_a_meaning_is_of_what_the_formula_takes(example: Solved) -> None:
-    """Of no other quantity of the same letter: each has the dimension that its formula asks for."""
+    """Every argument of every line has one, and it is of no other quantity of the same letter: it has the dimension
+    that its formula asks for."""
     context, count = context_of(example, "engineer"), 0
     for context.chapter, outcome in example.results.outcomes.items():
-        for line in outcome.lines:
-            known = units(line.formula)
-            for name, value in line.arguments.items() if not line.formula.shows else ():
-                own = line.formula.names.get(name) or symbol(name)
-                if name in known and name not in line.formula.meanings and (origin := _origin(context, own, value)):
-                    assert dimension(origin[1]) == dimension(known[name]), (line.formula.__name__, name, origin)
-                    count += 1
+        for line in (line for line in outcome.lines if not line.formula.shows):
+            known, said = units(line.formula), line.formula.meanings
+            for name, value in line.arguments.items():
+                if name in said:
+                    continue
+                origin = _origin(context, line.formula.names.get(name) or symbol(name), value)
+                assert origin is not None, (line.formula.__name__, name)
+                assert dimension(origin[1]) == dimension(known.get(name, "")), (line.formula.__name__, name, origin)
+                count += 1
     assert count > 5000
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["r753ie4_gamma", "r753ie4_rolling", "r753ie4_drive_over_speed"])
+def test_every_symbol_of_an_audit_has_its_meaning(name: str) -> None:
+    made = solved((ROOT / "designs" / f"{name}.toml").read_bytes())
+    context = whole_context(made.document, made.results, made.raw, depth="audit", lang="en")
+    assert nameless(blocks(context)) == []
 
 
 def test_a_letter_with_several_meanings_stands_with_each_of_them(proven: Made) -> None:

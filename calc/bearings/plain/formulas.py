@@ -40,7 +40,7 @@ PSI: Pascal = 6894.757
 CENTIPOISE_RPM_PER_PSI: Number = 1e-3 / 60 / PSI
 
 
-@formula("u", "definition of the journal's surface speed")
+@formula("u", "definition of the journal's surface speed", meanings={"n": "Speed"})
 def surface_speed(d: Metre, n: RevPerSecond) -> MetrePerSecond:
     """>>> surface_speed(d=0.0595, n=43.33)
     8.099449...
@@ -114,7 +114,12 @@ def load_speed(i_F: Number, n_J: RevPerSecond) -> RevPerSecond:
     "physics: clearance at a temperature, by the expansion of seat and journal; χ, share of the housing's expansion "
     "held back by the block",
     unit="µm",
-    meanings={"alpha_H": "Thermal expansion of the seat", "alpha_J": "Thermal expansion of the journal"},
+    meanings={
+        "alpha_H": "Thermal expansion of the seat",
+        "alpha_J": "Thermal expansion of the journal",
+        "T": "Temperature of journal and seat",
+        "g": "Clearance at its reference temperature",
+    },
 )
 def clearance_at(
     g: Metre, d: Metre, alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, T: Celsius, T_ref: Celsius
@@ -152,7 +157,7 @@ def effective_speed(n_J: RevPerSecond, n_B: RevPerSecond, n_F: RevPerSecond) -> 
     return modulus(n_J + n_B - 2 * n_F)
 
 
-@formula("S", "Raimondi & Boyd 1958: Sommerfeld number")
+@formula("S", "Raimondi & Boyd 1958: Sommerfeld number", meanings={"n_h": "Hydrodynamically effective speed"})
 def sommerfeld(mu: PascalSecond, n_h: RevPerSecond, p: Pascal, psi: Number) -> Number:
     """>>> sommerfeld(mu=0.007281, n_h=43.33, p=1043000, psi=0.002359)
     0.05435500...
@@ -294,6 +299,7 @@ def shear_rate(u: MetrePerSecond, h_0: Metre) -> RevPerSecond:
     "κ_full",
     "definition: viscosity at 150 °C and 10⁶ 1/s over that of the oil's own law, 1 at most",
     names={"hths": "μ_HTHS"},
+    meanings={"hths": "Viscosity at high shear and 150 °C"},
 )
 def full_shear_factor(hths: PascalSecond, mu_150: PascalSecond) -> Number:
     """>>> full_shear_factor(hths=0.0035, mu_150=0.005)
@@ -332,7 +338,9 @@ def short_bearing_pressure(mu: PascalSecond, omega: RadPerSecond, psi: Number, l
 
 
 @formula(
-    "k", "definition: factor of the viscosity at a corner of its tolerance; o is −1 where thinner, +1 where thicker"
+    "k",
+    "definition: factor of the viscosity at a corner of its tolerance; o is −1 where thinner, +1 where thicker",
+    meanings={"o": "Corner of the tolerance, −1 thinner, 1 thicker"},
 )
 def viscosity_factor(t_nu: Number, o: Number) -> Number:
     return 1 + o * t_nu

@@ -58,7 +58,11 @@ SLOW: RevPerSecond = 1e-3
 # --- the heat that the surface gives off
 
 
-@formula("A", Text("{iso}: surface of a bearing that gives off heat", iso=ISO_15312))
+@formula(
+    "A",
+    Text("{iso}: surface of a bearing that gives off heat", iso=ISO_15312),
+    meanings={"B": "Width of the bearing", "d": "Bore of the bearing", "D": "Outside diameter of the bearing"},
+)
 def heat_surface(B: Metre, d: Metre, D: Metre) -> SquareMetre:
     return pi * B * (D + d)
 
@@ -81,12 +85,22 @@ def running_temperature(T_b: Celsius) -> Celsius:
     return T_b
 
 
-@formula("P_f", "conservation of energy: heat that the surface gives off, all of the friction", names={"hA": "(h·A)"})
+@formula(
+    "P_f",
+    "conservation of energy: heat that the surface gives off, all of the friction",
+    names={"hA": "(h·A)"},
+    meanings={"T_oil": "Temperature of the oil"},
+)
 def heat_given_off(hA: WattPerKelvin, T_b: Celsius, T_oil: Celsius) -> Watt:
     return hA * (T_b - T_oil)
 
 
-@formula("P_f", "definition: mean of the duty, by the hours of its rows", names={"w": "w_i", "P_i": "P_f,i"})
+@formula(
+    "P_f",
+    "definition: mean of the duty, by the hours of its rows",
+    names={"w": "w_i", "P_i": "P_f,i"},
+    meanings={"w": "Share of each row in the hours"},
+)
 def loss_of_duty(w: Number, P_i: Watt) -> Watt:
     """w: share of each row in the hours."""
     return along(w * P_i)
@@ -254,7 +268,12 @@ def speed_factor(n: RevPerSecond, d_m: Metre) -> Number:
     return n / ONE_RPM * d_m / MILLIMETRE
 
 
-@formula("n_lim", Text("{skf}: limiting speed, by what the type's n·d_m may be", skf=SKF), unit="rpm")
+@formula(
+    "n_lim",
+    Text("{skf}: limiting speed, by what the type's n·d_m may be", skf=SKF),
+    unit="rpm",
+    meanings={"X": "What speed times mean diameter may be"},
+)
 def limiting_speed(X: Number, d_m: Metre) -> RevPerSecond:
     return X * ONE_RPM * MILLIMETRE / d_m
 
@@ -268,7 +287,12 @@ def largest_speed_factor(type: str, series: str) -> float:
 # --- the least load, under which elements roll and do not slide
 
 
-@formula("F_min", Text("{skf}: minimum load of a deep-groove ball bearing", skf=SKF), names={"k_r": "k_min"})
+@formula(
+    "F_min",
+    Text("{skf}: minimum load of a deep-groove ball bearing", skf=SKF),
+    names={"k_r": "k_min"},
+    meanings={"k_r": "Factor of the least load"},
+)
 def minimum_load_of_balls(k_r: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d_m: Metre) -> Newton:
     """>>> minimum_load_of_balls(k_r=0.025, nu=12e-6, n=43.33, d_m=38.5e-3)
     36.72...

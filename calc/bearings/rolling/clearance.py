@@ -46,7 +46,17 @@ CLOSED = {"dd_F": "Δd_F", "dd_E": "Δd_E"}
 # --- formulas
 
 
-@formula("U_i,T", "physics: interference of the inner ring at a temperature", unit="µm", names={"U": "U_i"})
+@formula(
+    "U_i,T",
+    "physics: interference of the inner ring at a temperature",
+    unit="µm",
+    names={"U": "U_i"},
+    meanings={
+        "U": "Interference of the inner ring as fitted",
+        "d": "Bore of the bearing",
+        "T": "Temperature of the fit",
+    },
+)
 def interference_on_shaft(U: Metre, alpha_J: PerKelvin, d: Metre, T: Celsius) -> Metre:
     return U + (alpha_J - RING_EXPANSION) * d * (T - ROOM)
 
@@ -56,6 +66,12 @@ def interference_on_shaft(U: Metre, alpha_J: PerKelvin, d: Metre, T: Celsius) ->
     "physics: interference of the outer ring at a temperature; χ, share of the housing's expansion held back",
     unit="µm",
     names={"U": "U_o", "alpha_H": "α_H"},
+    meanings={
+        "U": "Interference of the outer ring as fitted",
+        "alpha_H": "Thermal expansion of the housing",
+        "D": "Outside diameter of the bearing",
+        "T": "Temperature of the fit",
+    },
 )
 def interference_in_seat(U: Metre, alpha_H: PerKelvin, chi: Number, D: Metre, T: Celsius) -> Metre:
     """>>> interference_in_seat(U=-4e-6, alpha_H=21.5e-6, chi=0, D=0.052, T=110)
@@ -69,6 +85,7 @@ def interference_in_seat(U: Metre, alpha_H: PerKelvin, chi: Number, D: Metre, T:
     f"{LAME}: by which the raceway of the inner ring grows, on a shaft of the same steel with a bore d_b",
     unit="µm",
     names={"U": "U_i,T"},
+    meanings={"d": "Bore of the bearing"},
 )
 def inner_ring_growth(U: Metre, d: Metre, d_F: Metre, d_b: Metre) -> Metre:
     """>>> inner_ring_growth(U=10e-6, d=0.025, d_F=0.0315, d_b=0)
@@ -77,7 +94,18 @@ def inner_ring_growth(U: Metre, d: Metre, d_F: Metre, d_b: Metre) -> Metre:
     return largest(U, NO_INTERFERENCE) * (d / d_F) * (1 - (d_b / d) ** 2) / (1 - (d_b / d_F) ** 2)
 
 
-@formula("p", f"{LAME}: pressure of the seat", unit="MPa", names={"U": "U_o,T", "nu_H": "ν_H"})
+@formula(
+    "p",
+    f"{LAME}: pressure of the seat",
+    unit="MPa",
+    names={"U": "U_o,T", "nu_H": "ν_H"},
+    meanings={
+        "D": "Outside diameter of the bearing",
+        "D_h": "Outside diameter of the housing",
+        "E_H": "Modulus of elasticity of the housing",
+        "nu_H": "Poisson's ratio of the housing",
+    },
+)
 def seat_pressure(U: Metre, D: Metre, d_E: Metre, D_h: Metre, E_H: Pascal, nu_H: Number) -> Pascal:
     """`D_h`: outside of a ring as stiff as the metal around the seat."""
     return largest(U, NO_INTERFERENCE) / (
@@ -86,7 +114,12 @@ def seat_pressure(U: Metre, D: Metre, d_E: Metre, D_h: Metre, E_H: Pascal, nu_H:
     )
 
 
-@formula("Δd_E", f"{LAME}: by which the raceway of the outer ring closes", unit="µm")
+@formula(
+    "Δd_E",
+    f"{LAME}: by which the raceway of the outer ring closes",
+    unit="µm",
+    meanings={"D": "Outside diameter of the bearing"},
+)
 def outer_ring_closing(p: Pascal, d_E: Metre, D: Metre) -> Metre:
     return 2 * p * d_E / (RING_MODULUS * (1 - (d_E / D) ** 2))
 
@@ -111,7 +144,13 @@ def widening_of_cup(alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, d_F: Me
     return ((alpha_H - RING_EXPANSION) * (1 - chi) - (alpha_J - RING_EXPANSION)) * d_F * (T - ROOM)
 
 
-@formula("G_r", "geometry: what fits and warmth leave of the clearance of two rings", unit="µm", names=CLOSED)
+@formula(
+    "G_r",
+    "geometry: what fits and warmth leave of the clearance of two rings",
+    unit="µm",
+    names=CLOSED,
+    meanings={"G_0": "Clearance as made", "Delta_T": "Excess of the inner ring over the outer"},
+)
 def clearance_of_rings(G_0: Metre, dd_F: Metre, dd_E: Metre, Delta_T: Kelvin, d_E: Metre) -> Metre:
     return G_0 - dd_F - dd_E - RING_EXPANSION * Delta_T * d_E
 

@@ -104,6 +104,7 @@ def load_zone(eps: Number) -> Radian:
     "Q_max",
     Text("{law}: load of the element in the middle of the zone", law=LAW),
     names={"s": "G_r", "n_c": "n_Q", "delta": "δ_r"},
+    meanings={"n_c": "Exponent of the load over the approach"},
 )
 def largest_load(K_1: Newton, delta: Metre, s: Metre, n_c: Number) -> Newton:
     return K_1 * power((delta - s / 2) / MILLIMETRE, n_c)
@@ -119,7 +120,12 @@ def stiffness(delta: Metre, Z: Number, K_1: Newton, s: Metre, elements: Elements
     return single_or_many(np.asarray(Springs(elements, Z, K_1, s).force(delta)[1]))
 
 
-@formula("f_pass", "kinematics: elements pass a load that turns with the inner ring", unit="Hz")
+@formula(
+    "f_pass",
+    "kinematics: elements pass a load that turns with the inner ring",
+    unit="Hz",
+    meanings={"Z": "Number of rolling elements"},
+)
 def pass_frequency(Z: Number, n: RevPerSecond, gamma: Number) -> Hertz:
     return Z * modulus(n) * (1 + gamma) / 2
 

@@ -135,23 +135,45 @@ def overlap(inside: Inside[Any]) -> bool | BoolArray:
 
 
 @formula(
-    "γ", "ISO 281: diameter of the elements over the pitch diameter, seen along the contact", names={"alpha": "α_0"}
+    "γ",
+    "ISO 281: diameter of the elements over the pitch diameter, seen along the contact",
+    names={"alpha": "α_0"},
+    meanings={
+        "D_w": "Diameter of the rolling elements",
+        "alpha": "Contact angle",
+        "D_pw": "Pitch diameter of the rolling elements",
+    },
 )
 def gamma(D_w: Metre, alpha: Radian, D_pw: Metre) -> Number:
     return D_w * cos(alpha) / D_pw
 
 
-@formula("d_m", "geometry: mean diameter of a bearing", unit="mm")
+@formula(
+    "d_m",
+    "geometry: mean diameter of a bearing",
+    unit="mm",
+    meanings={"d": "Bore of the bearing", "D": "Outside diameter of the bearing"},
+)
 def mean_diameter(d: Metre, D: Metre) -> Metre:
     return (d + D) / 2
 
 
-@formula("F_w", "geometry: diameter of the inner raceway", unit="mm")
+@formula(
+    "F_w",
+    "geometry: diameter of the inner raceway",
+    unit="mm",
+    meanings={"D_pw": "Pitch diameter of the rolling elements", "D_w": "Diameter of the rolling elements"},
+)
 def inner_raceway(D_pw: Metre, D_w: Metre) -> Metre:
     return D_pw - D_w
 
 
-@formula("E_w", "geometry: diameter of the outer raceway", unit="mm")
+@formula(
+    "E_w",
+    "geometry: diameter of the outer raceway",
+    unit="mm",
+    meanings={"D_pw": "Pitch diameter of the rolling elements", "D_w": "Diameter of the rolling elements"},
+)
 def outer_raceway(D_pw: Metre, D_w: Metre) -> Metre:
     return D_pw + D_w
 

@@ -74,17 +74,26 @@ def elliptic_second(x: Number) -> Number:
 # --- a ball in its groove
 
 
-@formula("ρ_1", "geometry: curvature along the inner raceway", names={"gamma": "γ"})
+@formula(
+    "ρ_1",
+    "geometry: curvature along the inner raceway",
+    names={"gamma": "γ"},
+    meanings={"D_w": "Diameter of the rolling elements"},
+)
 def curvature_inner(D_w: Metre, gamma: Number) -> PerMetre:
     return 2 / D_w * (1 + gamma / (1 - gamma))
 
 
-@formula("ρ_1", "geometry: curvature along the outer raceway")
+@formula("ρ_1", "geometry: curvature along the outer raceway", meanings={"D_w": "Diameter of the rolling elements"})
 def curvature_outer(D_w: Metre, gamma: Number) -> PerMetre:
     return 2 / D_w * (1 - gamma / (1 + gamma))
 
 
-@formula("ρ_2", "geometry: curvature across the groove")
+@formula(
+    "ρ_2",
+    "geometry: curvature across the groove",
+    meanings={"D_w": "Diameter of the rolling elements", "f_r": "Radius of the groove over the diameter of the balls"},
+)
 def curvature_across(D_w: Metre, f_r: Number) -> PerMetre:
     return 2 / D_w - 1 / (f_r * D_w)
 
@@ -104,6 +113,7 @@ def curvature_difference(rho_1: PerMetre, rho_2: PerMetre, S: PerMetre) -> Numbe
     Text("{hertz}: shorter half axis", hertz=HERTZ),
     unit="mm",
     names={"E_2": "ℰ", "Q": "Q_w", "x": "χ", "E_r": "E'", "S": "Σρ"},
+    meanings={"E_r": "Modulus of both bodies together"},
 )
 def half_axis(E_2: Number, Q: Newton, x: Number, E_r: Pascal, S: PerMetre) -> Metre:
     return (6 * E_2 * Q / (pi * x * E_r * S)) ** (1 / 3)
@@ -119,6 +129,7 @@ def ellipse_pressure(Q: Newton, x: Number, b: Metre) -> Pascal:
     Text("{hertz}: approach of ball and raceway", hertz=HERTZ),
     unit="µm",
     names={"E_1": "K_E", "E_2": "ℰ", "Q": "Q_w", "x": "χ", "E_r": "E'", "S": "Σρ"},
+    meanings={"Q": "Load on a rolling element", "E_r": "Modulus of both bodies together"},
 )
 def approach(E_1: Number, S: PerMetre, E_2: Number, Q: Newton, x: Number, E_r: Pascal) -> Metre:
     return E_1 * (9 * S / (2 * E_2) * (Q / (pi * x * E_r)) ** 2) ** (1 / 3)
@@ -128,6 +139,7 @@ def approach(E_1: Number, S: PerMetre, E_2: Number, Q: Newton, x: Number, E_r: P
     "Q_p",
     Text("{hertz}: load of the ball that makes this pressure", hertz=HERTZ),
     names={"p": "p_H", "E_2": "ℰ", "x": "χ", "E_r": "E'", "S": "Σρ"},
+    meanings={"p": "Contact pressure", "E_r": "Modulus of both bodies together"},
 )
 def load_at_pressure(x: Number, E_2: Number, p: Pascal, E_r: Pascal, S: PerMetre) -> Newton:
     return 32 / 3 * pi * x * E_2**2 * p**3 / (E_r * S) ** 2

@@ -36,22 +36,38 @@ STEPS = 6  # of Newton's method, on logarithms: four reach the last digits
 # --- one row
 
 
-@formula("L_10", Text("{iso}: life by the load alone", iso=ISO), unit="h", names={"C": "C_r", "p": "p_L"})
+@formula(
+    "L_10",
+    Text("{iso}: life by the load alone", iso=ISO),
+    unit="h",
+    names={"C": "C_r", "p": "p_L"},
+    meanings={"p": "Exponent of the life over the load", "n": "Speed", "P": "Equivalent load"},
+)
 def life_by_load(n: RevPerSecond, C: Newton, P: Newton, p: Number) -> Second:
     return 1e6 / n * power(C / largest(P, NOTHING), p)
 
 
-@formula("ν_1", Text("{iso}: viscosity that parts the surfaces, from 1000 rpm on", iso=ISO), unit="mm²/s")
+@formula(
+    "ν_1",
+    Text("{iso}: viscosity that parts the surfaces, from 1000 rpm on", iso=ISO),
+    unit="mm²/s",
+    meanings={"D_pw": "Pitch diameter of the rolling elements", "n": "Speed"},
+)
 def needed_viscosity(n: RevPerSecond, D_pw: Metre) -> SquareMetrePerSecond:
     return 4500 * (n / ONE_RPM) ** -0.5 * (D_pw / MILLIMETRE) ** -0.5 * CENTISTOKE
 
 
-@formula("ν_1", Text("{iso}: viscosity that parts the surfaces, below 1000 rpm", iso=ISO), unit="mm²/s")
+@formula(
+    "ν_1",
+    Text("{iso}: viscosity that parts the surfaces, below 1000 rpm", iso=ISO),
+    unit="mm²/s",
+    meanings={"n": "Speed", "D_pw": "Pitch diameter of the rolling elements"},
+)
 def needed_viscosity_slow(n: RevPerSecond, D_pw: Metre) -> SquareMetrePerSecond:
     return 45000 * (n / ONE_RPM) ** -0.83 * (D_pw / MILLIMETRE) ** -0.5 * CENTISTOKE
 
 
-@formula("κ", Text("{iso}: viscosity ratio", iso=ISO), governs="min")
+@formula("κ", Text("{iso}: viscosity ratio", iso=ISO), governs="min", meanings={"nu_1": "Viscosity that is needed"})
 def viscosity_ratio(nu: SquareMetrePerSecond, nu_1: SquareMetrePerSecond) -> Number:
     return nu / nu_1
 
@@ -68,7 +84,11 @@ def contamination_filtered(a: Number, k: Number, D_pw: Metre, c: Number) -> Numb
     )
 
 
-@formula("X_u", Text("{iso}: fatigue limit over load, less by dirt", iso=ISO))
+@formula(
+    "X_u",
+    Text("{iso}: fatigue limit over load, less by dirt", iso=ISO),
+    meanings={"e_C": "Factor of contamination", "P": "Equivalent load"},
+)
 def fatigue_share(e_C: Number, C_u: Newton, P: Newton) -> Number:
     return e_C * C_u / largest(P, NOTHING)
 
@@ -199,7 +219,12 @@ def lives(
     return Lives(kappa, e_C, a_ISO, L_10, modified_life(a_1=a_1, a_ISO=a_ISO, L_10=L_10))
 
 
-@formula("P_s", "ISO/TS 16281, from memory: load with the zone that the clearance leaves", names={"r": "P_ref/P_ref,0"})
+@formula(
+    "P_s",
+    "ISO/TS 16281, from memory: load with the zone that the clearance leaves",
+    names={"r": "P_ref/P_ref,0"},
+    meanings={"P": "Equivalent load"},
+)
 def load_with_clearance(P: Newton, r: Number) -> Newton:
     """r: P_ref of the zone over that without clearance."""
     return r * P

@@ -32,7 +32,11 @@ PALMGREN = Text("Palmgren 1957: mean of a load that turns, with one that stands,
 # --- both loads together
 
 
-@formula("ξ", "definition: the smaller of both loads over the larger")
+@formula(
+    "ξ",
+    "definition: the smaller of both loads over the larger",
+    meanings={"F_1": "Load that stands still", "F_2": "Load that turns with the shaft"},
+)
 def load_ratio(F_1: Newton, F_2: Newton) -> Number:
     return smallest(F_1, F_2) / largest(largest(F_1, F_2), NOTHING)
 
@@ -64,13 +68,25 @@ def _squares(p: float) -> tuple[Array, Array]:
     return np.concatenate([[1.0], c]), np.minimum.accumulate(needed_from[::-1])[::-1]
 
 
-@formula("F_m", PALMGREN, names={"Sigma": "Σ_p", "p": "p_L"})
+@formula(
+    "F_m",
+    PALMGREN,
+    names={"Sigma": "Σ_p", "p": "p_L"},
+    meanings={
+        "p": "Exponent of the life over the load",
+        "F_1": "Load that stands still",
+        "F_2": "Load that turns with the shaft",
+    },
+)
 def mean_load(F_1: Newton, F_2: Newton, Sigma: Number, p: Number) -> Newton:
     return largest(F_1, F_2) * power(Sigma, 1 / p)
 
 
 @formula(
-    "F̄", "definition: mean of a load that turns, with one that stands; friction follows it", names={"Sigma": "Σ_1"}
+    "F̄",
+    "definition: mean of a load that turns, with one that stands; friction follows it",
+    names={"Sigma": "Σ_1"},
+    meanings={"F_1": "Load that stands still", "F_2": "Load that turns with the shaft"},
 )
 def friction_load(F_1: Newton, F_2: Newton, Sigma: Number) -> Newton:
     return largest(F_1, F_2) * Sigma
@@ -96,12 +112,22 @@ def friction_mean_of(F_1: Any, F_2: Any) -> Any:
 # --- how it spreads over the races
 
 
-@formula("q_i", Text("{iso}: balls, load of the inner race Q_ci over C", iso=ISO_RACES), names={"X": "X_Q"})
+@formula(
+    "q_i",
+    Text("{iso}: balls, load of the inner race Q_ci over C", iso=ISO_RACES),
+    names={"X": "X_Q"},
+    meanings={"Z": "Number of rolling elements"},
+)
 def inner_race_of_balls(X: Number, Z: Number) -> Number:
     return (1 + X ** (10 / 3)) ** 0.3 / (0.407 * Z)
 
 
-@formula("q_e", Text("{iso}: balls, load of the outer race Q_ce over C", iso=ISO_RACES), names={"X": "X_Q"})
+@formula(
+    "q_e",
+    Text("{iso}: balls, load of the outer race Q_ce over C", iso=ISO_RACES),
+    names={"X": "X_Q"},
+    meanings={"Z": "Number of rolling elements"},
+)
 def outer_race_of_balls(X: Number, Z: Number) -> Number:
     return (1 + X ** (-10 / 3)) ** 0.3 / (0.389 * Z)
 
@@ -122,7 +148,12 @@ def carrying(Z: Number, J_r: Number, preloaded: bool) -> Number:
     return single_or_many(np.asarray(held))
 
 
-@formula("P_ref/F", Text("{iso}: equivalent load of both races", iso=ISO_RACES), names={"u": "u_Q"})
+@formula(
+    "P_ref/F",
+    Text("{iso}: equivalent load of both races", iso=ISO_RACES),
+    names={"u": "u_Q"},
+    meanings={"u": "Exponent of the loads of both races"},
+)
 def reference_share(Z_J: Number, J_i: Number, q_i: Number, J_e: Number, q_e: Number, u: Number) -> Number:
     return power(power(J_i / (Z_J * q_i), u) + power(J_e / (Z_J * q_e), u), 1 / u)
 
@@ -216,7 +247,11 @@ def ring_factor_of(races: Races | None) -> Any:
 # --- equivalent loads
 
 
-@formula("P_r", "ISO 281: radial load, by the ring on which it stands; V is 1 where the larger load stands in space")
+@formula(
+    "P_r",
+    "ISO 281: radial load, by the ring on which it stands; V is 1 where the larger load stands in space",
+    meanings={"V": "Factor of the ring that turns"},
+)
 def radial_equivalent(V: Number, F_m: Newton) -> Newton:
     return V * F_m
 

@@ -28,7 +28,11 @@ INNER, OUTER, OUTER_STATIC = 0.52, 0.52, 0.53  # grooves of the standards: radiu
 # --- dynamic
 
 
-@formula("X", Text("{iso}: balls, load of the inner race that lives as long as the outer", iso=ISO))
+@formula(
+    "X",
+    Text("{iso}: balls, load of the inner race that lives as long as the outer", iso=ISO),
+    meanings={"k_X": "Constant of the ratio of the races"},
+)
 def race_ratio_of_balls(k_X: Number, gamma: Number, f_i: Number, f_e: Number) -> Number:
     """k_X is 1.04 in the rating, 1.044 in the loads of the races."""
     return k_X * ((1 - gamma) / (1 + gamma)) ** 1.72 * (f_i * (2 * f_e - 1) / (f_e * (2 * f_i - 1))) ** 0.41
@@ -68,7 +72,16 @@ def factor_of_rollers(gamma: Number, X: Number) -> Number:
 
 
 @formula(
-    "C_r", Text("{iso}: one row of balls; beyond 25.4 mm 3.647·D_w^1.4", iso=ISO), unit="kN", names={"alpha": "α_0"}
+    "C_r",
+    Text("{iso}: one row of balls; beyond 25.4 mm 3.647·D_w^1.4", iso=ISO),
+    unit="kN",
+    names={"alpha": "α_0"},
+    meanings={
+        "b_m": "Factor of today's steels and making",
+        "alpha": "Contact angle",
+        "Z": "Number of rolling elements",
+        "D_w": "Diameter of the rolling elements",
+    },
 )
 def rating_of_balls(b_m: Number, f_c: Number, alpha: Radian, Z: Number, D_w: Metre) -> Newton:
     return (
@@ -89,12 +102,22 @@ def rating_of_rollers(b_m: Number, f_c: Number, L_we: Metre, Z: Number, D_w: Met
 # --- static
 
 
-@formula("f_0", Text("{iso}: a fifth of the load at 4200 MPa on the race that reaches it first", iso=ISO_STATIC))
+@formula(
+    "f_0",
+    Text("{iso}: a fifth of the load at 4200 MPa on the race that reaches it first", iso=ISO_STATIC),
+    meanings={"D_w": "Diameter of the rolling elements"},
+)
 def static_factor(Q_i: Newton, Q_e: Newton, D_w: Metre) -> Number:
     return smallest(Q_i, Q_e) / (5 * D_w**2 * NEWTON_PER_SQUARE_MILLIMETRE)
 
 
-@formula("C_0", Text("{iso}: one row of balls", iso=ISO_STATIC), unit="kN", names={"alpha": "α_0"})
+@formula(
+    "C_0",
+    Text("{iso}: one row of balls", iso=ISO_STATIC),
+    unit="kN",
+    names={"alpha": "α_0"},
+    meanings={"Z": "Number of rolling elements", "D_w": "Diameter of the rolling elements", "alpha": "Contact angle"},
+)
 def static_of_balls(f_0: Number, Z: Number, D_w: Metre, alpha: Radian) -> Newton:
     return f_0 * NEWTON_PER_SQUARE_MILLIMETRE * Z * D_w**2 * cos(alpha)
 
@@ -107,7 +130,12 @@ def static_of_rollers(gamma: Number, Z: Number, L_we: Metre, D_w: Metre) -> Newt
 # --- fatigue limit; a raceway that is the shaft itself
 
 
-@formula("C_u", "ISO 281:2007: balls, less on a pitch diameter beyond 100 mm", unit="kN")
+@formula(
+    "C_u",
+    "ISO 281:2007: balls, less on a pitch diameter beyond 100 mm",
+    unit="kN",
+    meanings={"D_pw": "Pitch diameter of the rolling elements"},
+)
 def limit_of_balls(C_0: Newton, D_pw: Metre) -> Newton:
     return C_0 / 22 * smallest(100 * MILLIMETRE / D_pw, 1.0) ** 0.5
 

@@ -86,12 +86,20 @@ def torque_of_load(f_1: Number, F: Newton, d_m: Metre) -> NewtonMetre:
 # --- SKF
 
 
-@formula("G_rr", Text("{skf}: rolling, deep-groove ball bearing under radial load", skf=SKF))
+@formula(
+    "G_rr",
+    Text("{skf}: rolling, deep-groove ball bearing under radial load", skf=SKF),
+    meanings={"R_1": "Constant of the rolling moment"},
+)
 def rolling_of_balls(R_1: Number, d_m: Metre, F: Newton) -> Number:
     return R_1 * (d_m / MILLIMETRE) ** 1.96 * (F / ONE_NEWTON) ** 0.54
 
 
-@formula("G_sl", Text("{skf}: sliding, deep-groove ball bearing under radial load", skf=SKF))
+@formula(
+    "G_sl",
+    Text("{skf}: sliding, deep-groove ball bearing under radial load", skf=SKF),
+    meanings={"S_1": "Constant of the sliding moment"},
+)
 def sliding_of_balls(S_1: Number, d_m: Metre, F: Newton) -> Number:
     return S_1 * (d_m / MILLIMETRE) ** -0.26 * (F / ONE_NEWTON) ** (5 / 3)
 
@@ -106,7 +114,7 @@ def sliding_of_rollers(S_1: Number, d_m: Metre, F: Newton) -> Number:
     return S_1 * d_m / MILLIMETRE * F / ONE_NEWTON
 
 
-@formula("φ_ish", Text("{skf}: heat of the sheared inlet", skf=SKF))
+@formula("φ_ish", Text("{skf}: heat of the sheared inlet", skf=SKF), meanings={"n": "Speed"})
 def inlet_heat(n: RevPerSecond, d_m: Metre, nu: SquareMetrePerSecond) -> Number:
     return 1 / (1 + 1.84e-9 * (n / ONE_RPM * d_m / MILLIMETRE) ** 1.28 * (nu / CENTISTOKE) ** 0.64)
 
@@ -114,22 +122,33 @@ def inlet_heat(n: RevPerSecond, d_m: Metre, nu: SquareMetrePerSecond) -> Number:
 @formula(
     "φ_rs",
     Text("{skf}: oil pushed aside and starved; K_rs 3·10⁻⁸ in a bath of low level or a jet, 6·10⁻⁸ in mist", skf=SKF),
+    meanings={
+        "K_rs": "Constant of starved oil",
+        "d": "Bore of the bearing",
+        "D": "Outside diameter of the bearing",
+        "K_Z": "Constant of the kind of bearing",
+        "n": "Speed",
+    },
 )
 def starvation(K_rs: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d: Metre, D: Metre, K_Z: Number) -> Number:
     return exp(-K_rs * nu / CENTISTOKE * n / ONE_RPM * (d + D) / MILLIMETRE * sqrt(K_Z / 2 * MILLIMETRE / (D - d)))
 
 
-@formula("φ_bl", Text("{skf}: share of boundary lubrication", skf=SKF))
+@formula("φ_bl", Text("{skf}: share of boundary lubrication", skf=SKF), meanings={"n": "Speed"})
 def boundary_share(n: RevPerSecond, nu: SquareMetrePerSecond, d_m: Metre) -> Number:
     return exp(-2.6e-8 * (n / ONE_RPM * nu / CENTISTOKE) ** 1.4 * d_m / MILLIMETRE)
 
 
-@formula("μ_sl", Text("{skf}: friction of sliding, 0.12 at the boundary", skf=SKF))
+@formula(
+    "μ_sl",
+    Text("{skf}: friction of sliding, 0.12 at the boundary", skf=SKF),
+    meanings={"mu_EHL": "Coefficient of friction of a full film"},
+)
 def sliding_friction(phi_bl: Number, mu_EHL: Number) -> Number:
     return phi_bl * 0.12 + (1 - phi_bl) * mu_EHL
 
 
-@formula("M", Text("{skf}: rolling and sliding", skf=SKF))
+@formula("M", Text("{skf}: rolling and sliding", skf=SKF), meanings={"n": "Speed"})
 def torque_by_skf(
     phi_ish: Number,
     phi_rs: Number,

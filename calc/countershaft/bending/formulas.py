@@ -57,13 +57,15 @@ TURNING = Text("(stiffness − ω_S²·masses)·u = f, f from q and F, w = 0 at 
 # --- the section
 
 
-@formula("G", "elasticity, isotropic", unit="GPa")
+@formula("G", "elasticity, isotropic", unit="GPa", meanings={"E": "Modulus of elasticity", "nu": "Poisson's ratio"})
 def shear_modulus(E: Pascal, nu: Number) -> Pascal:
     return E / (2 * (1 + nu))
 
 
 @formula(
-    "κ_s", "Cowper 1966, The shear coefficient in Timoshenko's beam theory: shear coefficient of the circular section"
+    "κ_s",
+    "Cowper 1966, The shear coefficient in Timoshenko's beam theory: shear coefficient of the circular section",
+    meanings={"nu": "Poisson's ratio"},
 )
 def shear_coefficient(nu: Number) -> Number:
     """Used for the sectors too: shear gives a small part of the deflection there."""
@@ -80,7 +82,11 @@ def shear_stiffness(kappa: Number, G: Pascal, A: SquareMetre) -> Newton:
     return kappa * G * A
 
 
-@formula("B", "elasticity: bending stiffness of the section", meanings={"E": "Modulus of elasticity"})
+@formula(
+    "B",
+    "elasticity: bending stiffness of the section",
+    meanings={"E": "Modulus of elasticity", "I": "Second moment of the section"},
+)
 def bending_stiffness(E: Pascal, I: Metre4) -> NewtonMetre2:
     return E * I
 
@@ -100,13 +106,19 @@ def core_inertia(I: Metres4, r_0: Metres, sector: BoolArray) -> Metres4:
     "rule of this program: second moment of area; the core bends whole, and the sector lends a share of what it adds "
     "to the core",
     unit="mm⁴",
+    meanings={"I": "Second moment of the section"},
 )
 def shared_inertia(I_0: Metre4, eta: Number, I: Metre4) -> Metre4:
     """Mass and shear stiffness stay those of the whole section."""
     return I_0 + eta * (I - I_0)
 
 
-@formula("I_side", "geometry: second moment of sector and core, bending across the plane of symmetry", unit="mm⁴")
+@formula(
+    "I_side",
+    "geometry: second moment of sector and core, bending across the plane of symmetry",
+    unit="mm⁴",
+    meanings={"R": "Radius of the cylinder"},
+)
 def sideways_inertia(R: Metre, r_0: Metre, gamma: Radian) -> Metre4:
     return (R**4 - r_0**4) / 4 * (gamma - sin(gamma) * cos(gamma)) + pi * r_0**4 / 4
 
@@ -115,6 +127,7 @@ def sideways_inertia(R: Metre, r_0: Metre, gamma: Radian) -> Metre4:
     "I_min",
     "geometry, the weaker plane of the section: below a half-angle of about 60° that across the plane of symmetry",
     unit="mm⁴",
+    meanings={"I": "Second moment of the section"},
 )
 def weaker_inertia(I: Metre4, I_side: Metre4) -> Metre4:
     return smallest(I, I_side)
@@ -141,7 +154,11 @@ def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
     return rho * A
 
 
-@formula("J_l", "dynamics: rotary inertia per length of a section that tilts as it bends (Rayleigh; Timoshenko's beam)")
+@formula(
+    "J_l",
+    "dynamics: rotary inertia per length of a section that tilts as it bends (Rayleigh; Timoshenko's beam)",
+    meanings={"rho": "Density", "I": "Second moment of the section"},
+)
 def rotary_inertia(rho: KilogramPerMetre3, I: Metre4) -> KilogramMetre:
     return rho * I
 
@@ -434,7 +451,11 @@ def tilt_along(theta: PhasorRadians, x: PhasorMetres) -> Radians:
     return along
 
 
-@formula("γ_c", "geometry: half-angle of the cone on which the straight line through the outer journals goes round")
+@formula(
+    "γ_c",
+    "geometry: half-angle of the cone on which the straight line through the outer journals goes round",
+    meanings={"z_f": "Place of the front bearing", "z_r": "Place of the rear bearing"},
+)
 def cone(x_f: PhasorMetre, x_r: PhasorMetre, z_f: Metre, z_r: Metre) -> Radian:
     return modulus((x_r - x_f) / (z_r - z_f))
 

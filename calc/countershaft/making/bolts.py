@@ -71,7 +71,13 @@ LEAST = {"F_min": "F_V,min", "n": "n_b"}
 # --- the face under the head
 
 
-@formula("d_w", "rule of this program: face of a flanged head, by DIN 6921", unit="mm", names={"share": "d_w/D"})
+@formula(
+    "d_w",
+    "rule of this program: face of a flanged head, by DIN 6921",
+    unit="mm",
+    names={"share": "d_w/D"},
+    meanings={"share": "Face of the head over the thread's diameter"},
+)
 def flanged_face(share: Number, D: Metre) -> Metre:
     return share * D
 

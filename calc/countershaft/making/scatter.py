@@ -58,17 +58,32 @@ SHARES = ("share_within", "share_drilled_within", "share_too_light", "share_beyo
 SHOWN = 201  # points of the curve
 
 
-@formula("σ_C,m", Text("{propagation}: mass", propagation=PROPAGATION), names=f.MASSES | {"s": "s_m", "omega": "ω_S"})
+@formula(
+    "σ_C,m",
+    Text("{propagation}: mass", propagation=PROPAGATION),
+    names=f.MASSES | {"s": "s_m", "omega": "ω_S"},
+    meanings={"z": "Places of the eccentric masses"},
+)
 def couple_error_by_mass(omega: RadPerSecond, e: Metre, z: Metre, s: Kilogram) -> NewtonMetre:
     return omega**2 * rss(e * z) * s
 
 
-@formula("σ_C,e", Text("{propagation}: radius", propagation=PROPAGATION), names=f.MASSES | {"s": "s_e", "omega": "ω_S"})
+@formula(
+    "σ_C,e",
+    Text("{propagation}: radius", propagation=PROPAGATION),
+    names=f.MASSES | {"s": "s_e", "omega": "ω_S"},
+    meanings={"z": "Places of the eccentric masses"},
+)
 def couple_error_by_radius(omega: RadPerSecond, m: Kilogram, z: Metre, s: Metre) -> NewtonMetre:
     return omega**2 * rss(m * z) * s
 
 
-@formula("σ_C,γ", Text("{propagation}: angle", propagation=PROPAGATION), names=f.MASSES | {"s": "s_γ", "omega": "ω_S"})
+@formula(
+    "σ_C,γ",
+    Text("{propagation}: angle", propagation=PROPAGATION),
+    names=f.MASSES | {"s": "s_γ", "omega": "ω_S"},
+    meanings={"z": "Places of the eccentric masses"},
+)
 def couple_error_by_angle(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, s: Radian) -> NewtonMetre:
     return omega**2 * rss(m * e * z) * s
 

@@ -56,7 +56,7 @@ class HolesResult:
     )
 
 
-@formula("m_c", Text("{holes}: a cylinder of the drill's diameter", holes=HOLES), unit="g")
+@formula("m_c", Text("{holes}: a cylinder of the drill's diameter", holes=HOLES), unit="g", meanings={"rho": "Density"})
 def hole_mass(rho: KilogramPerMetre3, d_c: Metre, h_c: Metre) -> Kilogram:
     """>>> hole_mass(rho=7860, d_c=0.014, h_c=0.02)
     0.02419905...
@@ -74,7 +74,13 @@ def hole_unbalance(m_c: Kilogram, e_c: Metre) -> KilogramMetre:
     return m_c * e_c
 
 
-@formula("z_m", "mathematics: mean distance of the eccentric masses from mid-shaft", unit="mm", names={"n": "n_h"})
+@formula(
+    "z_m",
+    "mathematics: mean distance of the eccentric masses from mid-shaft",
+    unit="mm",
+    names={"n": "n_h"},
+    meanings={"z": "Places of the eccentric masses", "n": "Number of holes"},
+)
 def mean_arm(z: Metres, n: Number) -> Metre:
     return total(modulus(z)) / n
 
@@ -91,6 +97,7 @@ def hole_couple(U: KilogramMetre, z_m: Metre, omega: RadPerSecond) -> NewtonMetr
     "rule of this program: the holes are shared evenly by the n eccentric masses",
     unit="g·mm",
     names={"U": "ΔU", "n": "n_h"},
+    meanings={"n": "Number of holes"},
 )
 def unbalance_of_mass(N_c: Number, U: KilogramMetre, n: Number) -> KilogramMetre:
     return N_c / n * U
@@ -297,12 +304,20 @@ def shaft_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -> Ki
     return G * m_S / omega
 
 
-@formula("q_f", Text("{planes}: share of the front plane, that of the static load of its bearing", planes=PLANES))
+@formula(
+    "q_f",
+    Text("{planes}: share of the front plane, that of the static load of its bearing", planes=PLANES),
+    meanings={"z_S": "Place of the centre of gravity"},
+)
 def lever_front(z_r: Metre, z_S: Metre, z_f: Metre) -> Number:
     return modulus(z_r - z_S) / (z_r - z_f)
 
 
-@formula("q_r", Text("{planes}: share of the rear plane, that of the static load of its bearing", planes=PLANES))
+@formula(
+    "q_r",
+    Text("{planes}: share of the rear plane, that of the static load of its bearing", planes=PLANES),
+    meanings={"z_S": "Place of the centre of gravity"},
+)
 def lever_rear(z_S: Metre, z_f: Metre, z_r: Metre) -> Number:
     return modulus(z_S - z_f) / (z_r - z_f)
 

@@ -277,7 +277,7 @@ SAME = Text(
 COST = Text("Finotti 2013, 4.2: cost of the first year")
 
 
-@formula("R'", SAME, unit="mm", names={"rho_m": "ρ'"})
+@formula("R'", SAME, unit="mm", names={"rho_m": "ρ'"}, meanings={"rho": "Density"})
 def radius_for(R: Metre, r_0: Metre, rho: KilogramPerMetre3, rho_m: KilogramPerMetre3) -> Metre:
     return power(r_0**3 + rho / rho_m * (R**3 - r_0**3), 1 / 3)
 
@@ -296,6 +296,7 @@ def bore_growth(R_m: Metre, R: Metre) -> Metre:
     "Σm'",
     "geometry, same length and half-angle: as density and squared radii",
     names={"m": "Σm", "rho_m": "ρ'", "R_m": "R'"},
+    meanings={"rho": "Density"},
 )
 def mass_for(
     m: Kilogram, rho: KilogramPerMetre3, rho_m: KilogramPerMetre3, R: Metre, R_m: Metre, r_0: Metre
@@ -307,6 +308,12 @@ def mass_for(
     "m_S'",
     "rule of this program: sectors, the rest by its density, and the largest journal's growth",
     names={"m_new": "Σm'", "m": "Σm", "rho_m": "ρ'", "d_m": "d'"},
+    meanings={
+        "rho": "Density",
+        "rho_m": "Density of the other material",
+        "d": "Diameter of the journal in the design",
+        "l": "Length of the journal",
+    },
 )
 def whole_mass(
     m_new: Kilogram,
@@ -333,7 +340,13 @@ def mass_difference(m_new: Kilogram, m_S: Kilogram) -> Kilogram:
     return m_new - m_S
 
 
-@formula("d'", "geometry: the journal grows with its seat", unit="mm", names={"dD": "ΔD"})
+@formula(
+    "d'",
+    "geometry: the journal grows with its seat",
+    unit="mm",
+    names={"dD": "ΔD"},
+    meanings={"dD": "Growth of the seat", "d": "Diameter of the journal in the design"},
+)
 def grown(d: Metre, dD: Metre) -> Metre:
     return d + dD
 

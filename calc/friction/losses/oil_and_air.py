@@ -147,7 +147,12 @@ def oil_share(rho_m: KilogramPerMetre3, rho_oil: KilogramPerMetre3) -> Number:
     return smallest(largest((rho_m - AIR_DENSITY) / (rho_oil - AIR_DENSITY), 0.0), 1.0)
 
 
-@formula("η_m", Text("{anderson}: viscosity of the mist by shares of volume", anderson=ANDERSON), unit="mPa·s")
+@formula(
+    "η_m",
+    Text("{anderson}: viscosity of the mist by shares of volume", anderson=ANDERSON),
+    unit="mPa·s",
+    meanings={"eta_air": "Viscosity of the air"},
+)
 def mist_viscosity(s_oil: Number, eta_oil: PascalSecond, eta_air: PascalSecond) -> PascalSecond:
     return s_oil * eta_oil + (1 - s_oil) * eta_air
 

@@ -90,13 +90,17 @@ def film_elastic_isoviscous(g_E: Number, U: Number, W: Number) -> Number:
     Text("{toyoda} (the friction source credits Hamrock and Dowson)", toyoda=TOYODA),
     governs="min",
     names={"e": "n_G"},
+    meanings={"e": "Exponent of the parameter of materials"},
 )
 def film_elastic_piezoviscous(G: Number, e: Number, U: Number, W: Number) -> Number:
     return 3.06 * G**e * U**0.69 * W**-0.10
 
 
 @formula(
-    "L_th", Text("{gupta}: thermal loading parameter, with the mean speed squared", gupta=GUPTA), names={"beta": "β_T"}
+    "L_th",
+    Text("{gupta}: thermal loading parameter, with the mean speed squared", gupta=GUPTA),
+    names={"beta": "β_T"},
+    meanings={"k_f": "Thermal conductivity of the oil"},
 )
 def thermal_loading(eta_0: PascalSecond, beta: PerKelvin, u_e: MetrePerSecond, k_f: WattPerMetreKelvin) -> Number:
     return eta_0 * beta * u_e**2 / k_f

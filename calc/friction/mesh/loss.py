@@ -56,6 +56,7 @@ from .traction import HOTTEST, Traction, place, skin_temperature, traction
     "P_s",
     Text("{thesis}, eq. 3: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS),
     names={"s": "Δs", "mu": "μ_z"},
+    meanings={"s": "Length of line for which a position stands"},
 )
 def sliding_loss(s: Metres, mu: Numbers, w: NewtonsPerMetre, V_s: MetresPerSecond) -> Watt:
     """s is the length of line for which a position stands; w is the load without its floor."""
@@ -67,6 +68,7 @@ def sliding_loss(s: Metres, mu: Numbers, w: NewtonsPerMetre, V_s: MetresPerSecon
     "mathematics, mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film "
     "governs",
     names={"s": "Δs", "r": "[IR]"},
+    meanings={"s": "Length of line for which a position stands", "r": "Share of the rigid isoviscous film"},
 )
 def rolling_loss(s: Metres, q_R: WattsPerMetre, r: Numbers) -> Watt:
     return along(s * q_R * r)
@@ -76,6 +78,7 @@ def rolling_loss(s: Metres, q_R: WattsPerMetre, r: Numbers) -> Watt:
     "P_RE",
     "mathematics: mean over a mesh cycle of the estimated rolling power of an EHL film; shown, not added",
     names={"s": "Δs", "r": "[IR]"},
+    meanings={"s": "Length of line for which a position stands", "r": "Share of the rigid isoviscous film"},
 )
 def rolling_estimate(s: Metres, q_E: WattsPerMetre, r: Numbers) -> Watt:
     return along(s * q_E * (1 - r))
@@ -86,7 +89,12 @@ def mesh_loss(P_s: Watt, P_R: Watt) -> Watt:
     return P_s + P_R
 
 
-@formula("H_VL", Text("{thesis}, eq. 6: loss factor, the load shared along the path", thesis=THESIS), names={"s": "Δs"})
+@formula(
+    "H_VL",
+    Text("{thesis}, eq. 6: loss factor, the load shared along the path", thesis=THESIS),
+    names={"s": "Δs"},
+    meanings={"s": "Length of line for which a position stands"},
+)
 def loss_factor(s: Metres, w: NewtonsPerMetre, V_s: MetresPerSecond, P: Watt) -> Number:
     return along(s * w * V_s) / P
 
@@ -161,6 +169,7 @@ def largest_deborah(De: Numbers) -> Number:
     "definition: share of the length of line whose film is rigid and isoviscous",
     unit="%",
     names={"s": "Δs", "r": "[IR]"},
+    meanings={"s": "Length of line for which a position stands", "r": "Share of the rigid isoviscous film"},
 )
 def rigid_share(s: Metres, r: Numbers) -> Number:
     return along(s * r) / along(s)

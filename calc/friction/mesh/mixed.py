@@ -147,7 +147,11 @@ def film_pressure(xi: Number, p_m: Pascal) -> Pascal:
 # --- what both rub together
 
 
-@formula("μ_z", Text("{thesis}, eq. 25: mixed friction", thesis=THESIS))
+@formula(
+    "μ_z",
+    Text("{thesis}, eq. 25: mixed friction", thesis=THESIS),
+    meanings={"mu_s": "Coefficient of friction of the roughness"},
+)
 def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
     return xi * mu_s + (1 - xi) * mu_f
 

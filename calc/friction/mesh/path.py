@@ -435,7 +435,10 @@ def driven_speed(omega_1: RadPerSecond, z_1: Number, z_2: Number) -> RadPerSecon
 
 
 @formula(
-    "V_s", "kinematics: |u_1 − u_2|, written by the distance from the pitch point, where it is 0", names={"x": "ρ_1"}
+    "V_s",
+    "kinematics: |u_1 − u_2|, written by the distance from the pitch point, where it is 0",
+    names={"x": "ρ_1"},
+    meanings={"x": "Radius of curvature of the driver there"},
 )
 def sliding_speed(omega_1: RadPerSecond, omega_2: RadPerSecond, x: Metre, rho_C: Metre) -> MetrePerSecond:
     return (omega_1 + omega_2) * abs(x - rho_C)

@@ -87,7 +87,12 @@ def slope_under_pressure(alpha_f: PerPascal, Z: Number, p_m: Pascal) -> PerPasca
     return alpha_f * power(1 + ROELANDS_COMPLIANCE * p_m, Z - 1)
 
 
-@formula("τ_E", Text("{thesis}, eq. 47: Eyring stress, 2·Λ/α", thesis=THESIS), unit="MPa")
+@formula(
+    "τ_E",
+    Text("{thesis}, eq. 47: Eyring stress, 2·Λ/α", thesis=THESIS),
+    unit="MPa",
+    meanings={"Lambda": "Limiting shear stress over the pressure"},
+)
 def eyring_stress(Lambda: Number, alpha_f: PerPascal) -> Pascal:
     return 2 * Lambda / alpha_f
 
@@ -98,6 +103,7 @@ def eyring_stress(Lambda: Number, alpha_f: PerPascal) -> Pascal:
         "{thesis}, eqs. 32 and 48: Eyring's law, no more than the limiting shear Λ of Bair and Winer",
         thesis=THESIS,
     ),
+    meanings={"Lambda": "Limiting shear stress over the pressure"},
 )
 def fluid_friction(
     tau_E: Pascal, p_m: Pascal, eta: PascalSecond, V_s: MetrePerSecond, h: Metre, Lambda: Number
@@ -138,7 +144,11 @@ def friction_power(mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> WattPe
     return mu * w * V_s
 
 
-@formula("B", Text("{olver}: resistance of a moving surface to heat, per length", olver=OLVER))
+@formula(
+    "B",
+    Text("{olver}: resistance of a moving surface to heat, per length", olver=OLVER),
+    meanings={"a_th": "Thermal diffusivity of the surface", "k_s": "Thermal conductivity of the surface"},
+)
 def transient_resistance(
     a_th: SquareMetrePerSecond, a: Metre, u: MetrePerSecond, k_s: WattPerMetreKelvin
 ) -> KelvinMetrePerWatt:
@@ -152,6 +162,7 @@ def transient_resistance(
         "given",
         olver=OLVER,
     ),
+    meanings={"M_1": "Resistance of the driver's body to heat", "M_2": "Resistance of the driven body to heat"},
 )
 def heat_partition(
     B_1: KelvinMetrePerWatt, B_2: KelvinMetrePerWatt, M_1: KelvinMetrePerWatt, M_2: KelvinMetrePerWatt
@@ -179,6 +190,7 @@ def skin_temperature(
 @formula(
     "R_th",
     Text("{olver}: flash temperature of the surfaces and mean temperature across the film, per heat", olver=OLVER),
+    meanings={"k_f": "Thermal conductivity of the oil"},
 )
 def film_resistance(
     epsilon: Number, B_1: KelvinMetrePerWatt, h: Metre, a: Metre, k_f: WattPerMetreKelvin

@@ -45,12 +45,22 @@ def tolerance_of_contributors(T: Metres) -> Metre:
     return rss(T) / 2
 
 
-@formula("a_max", "geometry: centre distance at the upper end of its tolerance", unit="mm")
+@formula(
+    "a_max",
+    "geometry: centre distance at the upper end of its tolerance",
+    unit="mm",
+    meanings={"T_a": "Tolerance of the centre distance (±)"},
+)
 def widest(a_w: Metre, T_a: Metre) -> Metre:
     return a_w + T_a
 
 
-@formula("a_min", "geometry: centre distance at the lower end of its tolerance", unit="mm")
+@formula(
+    "a_min",
+    "geometry: centre distance at the lower end of its tolerance",
+    unit="mm",
+    meanings={"T_a": "Tolerance of the centre distance (±)"},
+)
 def narrowest(a_w: Metre, T_a: Metre) -> Metre:
     return a_w - T_a
 
@@ -199,6 +209,7 @@ def worst_case(T: Metres) -> Metre:
     "mathematics, root of squares of the standard deviations; k: that of each part over half its field, by its kind",
     unit="µm",
     names={"T": "T_i", "k": "k_i"},
+    meanings={"k": "Standard deviation over half the field, by its kind", "T": "Tolerance fields of the parts"},
 )
 def three_deviations(k: Numbers, T: Metres) -> Metre:
     """k is 1/2 for a position, 1/√2 for a fit and a runout, 1/√3 for a radial shift: elementary, after their

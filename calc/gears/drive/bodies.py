@@ -41,7 +41,12 @@ LIGHT_SHAFT = 0.01  # of the drag: gravity that turns a shaft by less is not cou
 # --- what turns
 
 
-@formula("J_i", "dynamics: disc of the reference diameter, open inside its rim or its bore", unit="kg·mm²")
+@formula(
+    "J_i",
+    "dynamics: disc of the reference diameter, open inside its rim or its bore",
+    unit="kg·mm²",
+    meanings={"rho": "Density", "d_i": "Inside diameter of the rim"},
+)
 def wheel_inertia(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> KilogramMetre2:
     return pi / 32 * rho * b * (d**4 - d_i**4)
 
@@ -52,7 +57,9 @@ def with_shaft(J: KilogramMetre2, J_S: KilogramMetre2) -> KilogramMetre2:
 
 
 @formula(
-    "J_E", "dynamics, kinetic energy: with what the crank turns besides, by the square of its speed over the crank's"
+    "J_E",
+    "dynamics, kinetic energy: with what the crank turns besides, by the square of its speed over the crank's",
+    meanings={"i_k": "Speed of the body over that of the crank"},
 )
 def with_body(J: KilogramMetre2, J_k: KilogramMetre2, i_k: Number) -> KilogramMetre2:
     """>>> with_body(J=0.9, J_k=0.0069, i_k=-1.0)
@@ -62,7 +69,9 @@ def with_body(J: KilogramMetre2, J_k: KilogramMetre2, i_k: Number) -> KilogramMe
 
 
 @formula(
-    "M_i", "dynamics: moment of inertia as a mass on the line of action; r_b: base radius of the wheel that is driven"
+    "M_i",
+    "dynamics: moment of inertia as a mass on the line of action; r_b: base radius of the wheel that is driven",
+    meanings={"r_b": "Base radius"},
 )
 def mass_on_line(J: KilogramMetre2, r_b: Metre) -> Kilogram:
     """>>> mass_on_line(J=0.00646, r_b=0.025086)
@@ -71,12 +80,21 @@ def mass_on_line(J: KilogramMetre2, r_b: Metre) -> Kilogram:
     return J / r_b**2
 
 
-@formula("D_i", "statics: drag torque of a wheel with its shaft as a force on the line of action")
+@formula(
+    "D_i",
+    "statics: drag torque of a wheel with its shaft as a force on the line of action",
+    meanings={"T_d": "Drag torque of the body", "r_b": "Base radius"},
+)
 def drag_on_line(T_d: NewtonMetre, r_b: Metre) -> Newton:
     return T_d / r_b
 
 
-@formula("j", "geometry: free turn of the driven wheel along the transverse line of action", unit="µm")
+@formula(
+    "j",
+    "geometry: free turn of the driven wheel along the transverse line of action",
+    unit="µm",
+    meanings={"r_b": "Base radius"},
+)
 def play_on_line(phi_j: Radian, r_b: Metre) -> Metre:
     """>>> play_on_line(phi_j=0.0015, r_b=0.025)
     3.75...e-05

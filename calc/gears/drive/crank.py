@@ -62,6 +62,7 @@ def acceleration(t_n: PhasorNewtonMetres, J_E: KilogramMetre2) -> PhasorRadiansP
     "x''_n",
     "kinematics: of the first driver along the line of action, i_1 its speed over the crank's",
     names={"alpha_n": "ω'_n"},
+    meanings={"r_b1": "Base radius of the first driver", "i_1": "Turns of the first driver in a turn of the crank"},
 )
 def along_line(alpha_n: PhasorRadiansPerSecond2, r_b1: Metre, i_1: Number) -> PhasorMetresPerSecond2:
     return r_b1 * i_1 * alpha_n
@@ -100,6 +101,11 @@ def amplitude(alpha_n: PhasorRadPerSecond2) -> RadPerSecond2:
     "ω̂'_n",
     "kinematics: an irregularity of one order n, ω·(1 + δ_s/2·sin nε)",
     names={"delta": "δ_s", "n": "n_o"},
+    meanings={
+        "delta": "Irregularity of the crank",
+        "n": "Order of the irregularity",
+        "omega": "Angular speed of the crank",
+    },
 )
 def of_irregularity(delta: Number, n: Number, omega: RadPerSecond) -> RadPerSecond2:
     """>>> of_irregularity(delta=0.05, n=1.5, omega=94.25)

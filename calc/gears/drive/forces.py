@@ -46,7 +46,13 @@ STIFFNESS = Text(
 )
 
 
-@formula("k_γ", STIFFNESS, unit="kN/mm", names={"c": "c_γα,100"})
+@formula(
+    "k_γ",
+    STIFFNESS,
+    unit="kN/mm",
+    names={"c": "c_γα,100"},
+    meanings={"F": "Force on the teeth", "b": "Face width", "c": "Mesh stiffness at 100 N/mm and more"},
+)
 def stiffness_at(F: Newton, b: Metre, c: Pascal) -> NewtonPerMetre:
     """`c`: the mesh stiffness at 100 N/mm and more; a rim of another material has its factor in it.
 
@@ -55,7 +61,13 @@ def stiffness_at(F: Newton, b: Metre, c: Pascal) -> NewtonPerMetre:
     return b * c * power(smallest(1.0, F / b / LIGHT), 0.25)
 
 
-@formula("k_low", Text("{rule}: the teeth of all meshes of the path in series", rule=RULE), unit="kN/mm", names=OF_MESH)
+@formula(
+    "k_low",
+    Text("{rule}: the teeth of all meshes of the path in series", rule=RULE),
+    unit="kN/mm",
+    names=OF_MESH,
+    meanings={"rho": "Speed on the line of action, over that of the mesh"},
+)
 def path_stiffness(k: NewtonsPerMetre, rho: Numbers) -> NewtonPerMetre:
     """`k` of each mesh of the path, `rho` the factor of speed from it to the last.
 
@@ -68,6 +80,11 @@ def path_stiffness(k: NewtonsPerMetre, rho: Numbers) -> NewtonPerMetre:
     "F",
     Text("{rule}: greatest force of a mass that strikes a spring and is pressed to it steadily", rule=RULE),
     names={"M": "M_c", "k": "k_γ", "u": "u_s"},
+    meanings={
+        "M": "Mass on the line of action",
+        "p": "Acceleration that presses the mass to the teeth",
+        "u": "Speed of a strike",
+    },
 )
 def strike_force(M: Kilogram, p: MetrePerSecond2, k: NewtonPerMetre, u: MetrePerSecond) -> Newton:
     """k is that of the force itself, the point where both agree.

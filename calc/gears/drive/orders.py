@@ -19,7 +19,12 @@ from .result import MeshOverSpeed
 HARMONICS = (1, 2, 3)
 
 
-@formula("o_Z", "kinematics: teeth that come into mesh in a turn of the crank", names={"i": "i_1"})
+@formula(
+    "o_Z",
+    "kinematics: teeth that come into mesh in a turn of the crank",
+    names={"i": "i_1"},
+    meanings={"i": "Turns of the driver in a turn of the crank"},
+)
 def mesh_order(z: Number, i: Number) -> Number:
     """`z`: teeth of the driver, `i`: its turns in a turn of the crank.
 

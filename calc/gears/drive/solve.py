@@ -113,7 +113,10 @@ def at_mesh(alpha: RadPerSecond2, i_1: Number, r_b1: Metre, rho: Number) -> Metr
 
 
 @formula(
-    "T_dyn", "dynamics: torque at the driver that accelerates all that its mesh drives", names={"M": "M_c", "a": "a_F"}
+    "T_dyn",
+    "dynamics: torque at the driver that accelerates all that its mesh drives",
+    names={"M": "M_c", "a": "a_F"},
+    meanings={"r_b": "Base radius"},
 )
 def dynamic_torque(M: Kilogram, a: MetrePerSecond2, r_b: Metre, z_1: Number, z_2: Number) -> NewtonMetre:
     """`r_b` of the driven wheel."""

@@ -21,7 +21,11 @@ from ..result import MeshResult
 from ..tree import Tree
 
 
-@formula("F_t", "geometry: of a force along the transverse line of action, what acts along the reference circle")
+@formula(
+    "F_t",
+    "geometry: of a force along the transverse line of action, what acts along the reference circle",
+    meanings={"F": "Force along the line of action"},
+)
 def tangential_force_of(F: Newton, alpha_t: Radian) -> Newton:
     """Not on the working circle: the rating reckons with reference diameters.
 
@@ -39,6 +43,11 @@ def tangential_force_of(F: Newton, alpha_t: Radian) -> Newton:
     "rule of this program: the hardest strike of each firing counts, and a tooth meets its share of them in a working "
     "cycle; q_Z: denominator of the turns of its wheel from firing to firing, in lowest terms",
     names={"q": "q_Z"},
+    meanings={
+        "s": "Firings of a working cycle that are alike",
+        "q": "Denominator of the wheel's turns from firing to firing",
+        "z": "Teeth",
+    },
 )
 def strikes_of_tooth(s: Number, q: Number, z: Number) -> Number:
     """`s`: firings of a working cycle that are alike; `z`: teeth.  The wheel stands in q places at the strikes; where

@@ -83,6 +83,7 @@ def most_force(M: Kilogram, a: MetrePerSecond2, D: Newton) -> Newton:
     "W_u",
     Text("{rule}: kinetic energy that the strikes of an orbit take", rule=RULE),
     names={"M": "M_c", "T": "T_o", "u": "u_s"},
+    meanings={"M": "Mass on the line of action", "u": "Speed of a strike", "T": "Length of the orbit"},
 )
 def impact_power(M: Kilogram, u: MetrePerSecond, T: Second) -> Watt:
     """`u`: the speeds of all strikes of an orbit, T its length.

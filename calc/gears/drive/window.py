@@ -48,6 +48,7 @@ class MayLeave:
     meanings={
         "rho": "Speed on the line of action at the end of the way, over that of the mesh",
         "return": "Backlash of the meshes of a way, at its end",
+        "J": "Backlash of the meshes before",
     },
 )
 def with_mesh(J: Metre, j: Metre, rho: Number) -> Metre:
@@ -104,7 +105,7 @@ def below_rattle(J_q: Metre, J_most: Metre, J: Metre) -> Metre:
     "mathematics: exact difference of two couples of equal length",
     unit="mm",
     names={"C_may": "C_max"},
-    meanings={"return": "Backlash that leaves the couple that may be left"},
+    meanings={"return": "Backlash that leaves the couple that may be left", "r_b": "Base radius"},
 )
 def phase_by_couple(r_b: Metre, C: NewtonMetre, C_may: NewtonMetre) -> Metre:
     """Where the shaft stays so far behind that `C_may` of its couple `C` is left."""

@@ -33,12 +33,21 @@ ROOM = Text("geometry, room around a turning wheel, worst case")
 # --- positions
 
 
-@formula("a_13", Text("{plane}: distance of two axes", plane=PLANE), unit="mm")
+@formula(
+    "a_13",
+    Text("{plane}: distance of two axes", plane=PLANE),
+    unit="mm",
+    meanings={"p_1": "Place of the first centre", "p_3": "Place of the third centre"},
+)
 def axes_apart(p_1: PhasorMetre, p_3: PhasorMetre) -> Metre:
     return modulus(p_3 - p_1)
 
 
-@formula("γ", Text("{plane}: direction of the line of centres, from up in the sense of crank rotation", plane=PLANE))
+@formula(
+    "γ",
+    Text("{plane}: direction of the line of centres, from up in the sense of crank rotation", plane=PLANE),
+    meanings={"p_1": "Place of the first centre"},
+)
 def line_of_centres(p_1: PhasorMetre, p_3: PhasorMetre) -> Radian:
     return argument(p_3 - p_1)
 
@@ -58,6 +67,7 @@ def half_chord(a_12: Metre, u: Metre) -> Metre:
     Text("{plane}, two circles: s = +1 is the point further in the sense of crank rotation, −1 the other", plane=PLANE),
     unit="mm",
     names={"u": "l_u", "v": "l_v"},
+    meanings={"s": "Side of the line of centres, 1 or −1"},
 )
 def on_two_circles(p_1: PhasorMetre, gamma: Radian, u: Metre, v: Metre, s: Number) -> PhasorMetre:
     return p_1 + u * cis(gamma) + s * v * cis(gamma + pi / 2)
@@ -91,6 +101,7 @@ def up(p: PhasorMetre) -> Metre:
     Text("{plane}: its part 90° further in the sense of crank rotation", plane=PLANE),
     unit="mm",
     names={"p": "p_i"},
+    meanings={"p": "Place of the centre"},
 )
 def side(p: PhasorMetre) -> Metre:
     return imag(p)
@@ -106,7 +117,11 @@ def distance_error(c: Metre, a_w: Metre) -> Metre:
     return modulus(c - a_w)
 
 
-@formula("φ", Text("{plane}: angle between the lines of centres to the neighbours on both sides", plane=PLANE))
+@formula(
+    "φ",
+    Text("{plane}: angle between the lines of centres to the neighbours on both sides", plane=PLANE),
+    meanings={"p_1": "Place of the first centre"},
+)
 def included_angle(p_1: PhasorMetre, p_2: PhasorMetre, p_3: PhasorMetre) -> Radian:
     return modulus(argument((p_3 - p_2) * conj(p_1 - p_2)))
 
@@ -115,7 +130,14 @@ def included_angle(p_1: PhasorMetre, p_2: PhasorMetre, p_3: PhasorMetre) -> Radi
 
 
 @formula(
-    "r_s", Text("{room}: tip with its upper deviation, half the runout, tolerance of the axis", room=ROOM), unit="mm"
+    "r_s",
+    Text("{room}: tip with its upper deviation, half the runout, tolerance of the axis", room=ROOM),
+    unit="mm",
+    meanings={
+        "F_r": "Runout of the teeth",
+        "T_a": "Tolerance of the centre distance (±)",
+        "E_da": "Upper deviation of the tip diameter",
+    },
 )
 def swept_radius(d_a: Metre, E_da: Metre, F_r: Metre, T_a: Metre) -> Metre:
     return d_a / 2 + E_da / 2 + F_r / 2 + T_a
@@ -216,7 +238,10 @@ def nearest_tooth(theta: Radian, psi: Radian, tau: Radian) -> Radian:
 
 
 @formula(
-    "θ_z", Text("{teeth}: middle of the tooth that is nearest to a direction", teeth=TEETH), names={"delta": "δ_E"}
+    "θ_z",
+    Text("{teeth}: middle of the tooth that is nearest to a direction", teeth=TEETH),
+    names={"delta": "δ_E"},
+    meanings={"psi": "Direction from which the tooth is sought"},
 )
 def tooth_one(psi: Radian, delta: Radian) -> Radian:
     return psi + delta
@@ -267,6 +292,7 @@ def transverse_force(F_tw: Newton, alpha_wt: Radian) -> Newton:
         "{statics}: of the driver on the driven wheel; s = +1 where the driver turns as the crank, else −1",
         statics=STATICS,
     ),
+    meanings={"s": "Sense of the driver's rotation, 1 as the crank"},
 )
 def force_on_driven(F_rw: Newton, F_tw: Newton, gamma: Radian, s: Number) -> PhasorNewton:
     return F_rw * cis(gamma) + s * F_tw * cis(gamma + pi / 2)
@@ -310,6 +336,7 @@ def bearing_force_least(F_bt1: Newton, F_bt2: Newton) -> Newton:
         statics=STATICS,
     ),
     names={"h": "s_β"},
+    meanings={"s": "Sense of the driver's rotation, 1 as the crank", "h": "Hand of the driver, 1 right, −1 left"},
 )
 def thrust_on_driven(F_a: Newton, s: Number, h: Number) -> Newton:
     return -s * h * F_a
@@ -320,7 +347,12 @@ def thrust_on_driver(F_x2: Newton) -> Newton:
     return -F_x2
 
 
-@formula("F_x", Text("{statics}: thrust of all meshes of a wheel", statics=STATICS), names={"F_m": "F_x,m"})
+@formula(
+    "F_x",
+    Text("{statics}: thrust of all meshes of a wheel", statics=STATICS),
+    names={"F_m": "F_x,m"},
+    meanings={"F_m": "Axial force of the other mesh"},
+)
 def thrust(F_m: Newtons) -> Newton:
     return resultant(F_m)
 

@@ -29,7 +29,11 @@ SKEW = Text("geometry of two skew lines, tangents of the helix of the ball centr
 STEEPEST: Radian = 1.5  # no ball touches a flank further out than this pressure angle of its centre
 
 
-@formula("x_E", Text("{iso}: generating shift of a tooth thinned by the change E_W of its span", iso=ISO))
+@formula(
+    "x_E",
+    Text("{iso}: generating shift of a tooth thinned by the change E_W of its span", iso=ISO),
+    meanings={"x": "Profile shift coefficient"},
+)
 def generating_shift(x: Number, E_W: Metre, m_n: Metre, alpha_n: Radian) -> Number:
     return x + E_W / (2 * m_n * sin(alpha_n))
 
@@ -37,7 +41,11 @@ def generating_shift(x: Number, E_W: Metre, m_n: Metre, alpha_n: Radian) -> Numb
 # --- span
 
 
-@formula("K", Text("{iso}: number of teeth for a contact at the circle of α_yt, before rounding", iso=ISO))
+@formula(
+    "K",
+    Text("{iso}: number of teeth for a contact at the circle of α_yt, before rounding", iso=ISO),
+    meanings={"x": "Profile shift coefficient"},
+)
 def span_teeth(z: Number, alpha_yt: Radian, beta_b: Radian, alpha_t: Radian, x: Number, alpha_n: Radian) -> Number:
     return z / pi * (tan(alpha_yt) / cos(beta_b) ** 2 - inv(alpha_t) - 2 * x * tan(alpha_n) / z) + 0.5
 
@@ -63,7 +71,12 @@ def best_span(K: Number) -> Number:
     return 1.0 * K
 
 
-@formula("W_K", Text("{iso}: base tangent length over K teeth", iso=ISO), unit="mm")
+@formula(
+    "W_K",
+    Text("{iso}: base tangent length over K teeth", iso=ISO),
+    unit="mm",
+    meanings={"x": "Profile shift coefficient"},
+)
 def span(m_n: Metre, alpha_n: Radian, K: Number, z: Number, alpha_t: Radian, x: Number) -> Metre:
     """>>> span(m_n=0.002, alpha_n=0.3491, K=4, z=25, alpha_t=0.3739, x=0.01423)
     0.02155130...
@@ -213,7 +226,11 @@ def virtual_teeth(z: Number, beta: Radian) -> Number:
     return z / cos(beta) ** 3
 
 
-@formula("ψ_v", Text("{iso}: half angle of the tooth on the virtual wheel", iso=ISO))
+@formula(
+    "ψ_v",
+    Text("{iso}: half angle of the tooth on the virtual wheel", iso=ISO),
+    meanings={"x": "Profile shift coefficient"},
+)
 def half_tooth_angle(z_v: Number, x: Number, alpha_n: Radian) -> Radian:
     return pi / (2 * z_v) + 2 * x * tan(alpha_n) / z_v
 
@@ -241,6 +258,7 @@ def chordal_height(z_v: Number, m_n: Metre, psi: Radian, d_a: Metre, d: Metre) -
         iso=ISO,
     ),
     unit="mm",
+    meanings={"x": "Profile shift coefficient"},
 )
 def constant_chord(m_n: Metre, alpha_n: Radian, x: Number) -> Metre:
     """Exact for helical teeth too, in the normal section through the middle of the tooth at the reference circle.
@@ -266,7 +284,12 @@ def constant_chord_diameter(d: Metre, s_cc: Metre, alpha_n: Radian, beta: Radian
 # --- tooth thickness and its allowance
 
 
-@formula("s_n", Text("{iso}: normal tooth thickness at the reference circle", iso=ISO), unit="mm")
+@formula(
+    "s_n",
+    Text("{iso}: normal tooth thickness at the reference circle", iso=ISO),
+    unit="mm",
+    meanings={"x": "Profile shift coefficient"},
+)
 def normal_thickness(m_n: Metre, x: Number, alpha_n: Radian) -> Metre:
     return m_n * (pi / 2 + 2 * x * tan(alpha_n))
 

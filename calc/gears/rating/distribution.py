@@ -204,7 +204,11 @@ def mean_load(w: NewtonPerMetre, K_V: Number) -> NewtonPerMetre:
 
 
 @formula(
-    "F_βx,min", Text("{clause_7}: smallest misalignment to reckon with", clause_7=CLAUSE_7), unit="µm", names=NAMES
+    "F_βx,min",
+    Text("{clause_7}: smallest misalignment to reckon with", clause_7=CLAUSE_7),
+    unit="µm",
+    names=NAMES,
+    meanings={"w_m": "Load per face width"},
 )
 def least_misalignment(w_m: NewtonPerMetre, f_Hbeta: Metre) -> Metre:
     return largest(LEAST_BEND * w_m, 0.5 * f_Hbeta)
@@ -215,6 +219,7 @@ def least_misalignment(w_m: NewtonPerMetre, f_Hbeta: Metre) -> Metre:
     Text("{clause_7}: misalignment before running in, contact pattern not proven", clause_7=CLAUSE_7),
     unit="µm",
     names={"F_min": "F_βx,min"},
+    meanings={"f_sh": "Misalignment by deformation"},
 )
 def initial_misalignment(f_sh: Metre, f_ma: Metre, F_min: Metre) -> Metre:
     return largest(1.33 * f_sh + f_ma, F_min)
@@ -229,6 +234,7 @@ def effective_misalignment(F_betax: Metre, y_beta: Metre) -> Metre:
     "ξ_β",
     Text("{clause_7}: misalignment in terms of the deflection of the teeth, F_βy·c_γβ/(2·F_m/b)", clause_7=CLAUSE_7),
     names=NAMES,
+    meanings={"w_m": "Load per face width"},
 )
 def relative_misalignment(F_betay: Metre, c_gamma_beta: Pascal, w_m: NewtonPerMetre) -> Number:
     return F_betay * c_gamma_beta / (2 * w_m)

@@ -43,6 +43,7 @@ COARSE = 6  # from this grade on tip relief brings nothing: B_k = 1
 @formula(
     "q'",
     Text("{clause_9}: compliance of a tooth pair; holds for x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2", clause_9=CLAUSE_9),
+    meanings={"x_1": "Profile shift coefficient of the driver"},
 )
 def tooth_compliance(z_n1: Number, z_n2: Number, x_1: Number, x_2: Number) -> PerPascal:
     return UNIT_COMPLIANCE * (
@@ -80,7 +81,11 @@ def single_stiffness(c_th: Pascal, C_B: Number, beta: Radian, e: Number) -> Pasc
     return c_th * C_M * C_R * C_B * cos(beta) * e
 
 
-@formula("e", Text("{clause_9}: both moduli against that of steel, E/E_St", clause_9=CLAUSE_9))
+@formula(
+    "e",
+    Text("{clause_9}: both moduli against that of steel, E/E_St", clause_9=CLAUSE_9),
+    meanings={"E_1": "Modulus of elasticity of the driver", "E_2": "Modulus of elasticity of the driven wheel"},
+)
 def modulus_ratio(E_1: Pascal, E_2: Pascal) -> Number:
     return 2 * E_1 * E_2 / (E_1 + E_2) / E_STEEL
 
@@ -127,6 +132,7 @@ def mean_diameter(d_a: Metre, d_f: Metre) -> Metre:
     "m*",
     Text("{clause_6}: mass of a ring per face width, reduced to the line of action", clause_6=CLAUSE_6),
     names={"rho": "ρ_W"},
+    meanings={"rho": "Density of the wheel", "d_i": "Inside diameter of the rim"},
 )
 def wheel_mass(rho: KilogramPerMetre3, d_m: Metre, d_i: Metre, d_b: Metre) -> KilogramPerMetre:
     return pi / 8 * rho * (d_m**4 - d_i**4) / d_b**2
@@ -233,7 +239,11 @@ def _by_overlap(above_two: Formula[..., Number], up_to_two: Number, eps_gamma: N
 # --- the four ranges
 
 
-@formula("K_N", Text("{clause_6}: rise of the dynamic factor with N, below the main resonance", clause_6=CLAUSE_6))
+@formula(
+    "K_N",
+    Text("{clause_6}: rise of the dynamic factor with N, below the main resonance", clause_6=CLAUSE_6),
+    meanings={"B_k": "Share of the tip relief"},
+)
 def growth(B_p: Number, C_v2: Number, B_f: Number, C_v3: Number, B_k: Number) -> Number:
     return C_V1 * B_p + C_v2 * B_f + C_v3 * B_k
 

@@ -42,7 +42,13 @@ from .strength import contacts_per_turn, load_cycles, loading_of, rim_of
 ALONE = Surroundings()
 
 
-@formula("n", "kinematics: all wheels turn in proportion to the crank", unit="rpm", names={"n": "n_r", "r": "r_n"})
+@formula(
+    "n",
+    "kinematics: all wheels turn in proportion to the crank",
+    unit="rpm",
+    names={"n": "n_r", "r": "r_n"},
+    meanings={"r": "Speed of the crank over that of the rating"},
+)
 def speed_there(n: RevPerSecond, r: Number) -> RevPerSecond:
     """`r`: speed of the crank over that of the rating.
 

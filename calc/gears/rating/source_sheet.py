@@ -32,7 +32,12 @@ def transverse_addendum(h_aP0: Number, beta: Radian) -> Number:
     return h_aP0 * cos(beta)
 
 
-@formula("σ_H,F", Text("{sheet} (wrong: E, β for β_b, and √cos β of the withdrawn edition)", sheet=SHEET), unit="MPa")
+@formula(
+    "σ_H,F",
+    Text("{sheet} (wrong: E, β for β_b, and √cos β of the withdrawn edition)", sheet=SHEET),
+    unit="MPa",
+    meanings={"u": "Teeth of the wheel over those of the pinion"},
+)
 def contact_stress(
     beta: Radian, alpha_wt: Radian, alpha_t: Radian, Z_eps: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number
 ) -> Pascal:

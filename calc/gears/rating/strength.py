@@ -59,7 +59,16 @@ def load_cycles(n: RevPerSecond, L_h: Second, c: Number) -> Number:
     return abs(n) * L_h * c
 
 
-@formula("p_N", "mathematics: straight line between two knees of the life curve, log–log")
+@formula(
+    "p_N",
+    "mathematics: straight line between two knees of the life curve, log–log",
+    meanings={
+        "Y_1": "Life factor at the first knee",
+        "Y_2": "Life factor at the second knee",
+        "N_1": "Load cycles at the first knee",
+        "N_2": "Load cycles at the second knee",
+    },
+)
 def life_exponent(Y_1: Number, Y_2: Number, N_1: Number, N_2: Number) -> Number:
     return ln(Y_1 / Y_2) / ln(N_2 / N_1)
 
@@ -170,6 +179,7 @@ CENTISTOKE: SquareMetrePerSecond = 1e-6
         "positive: inside the base circle",
         iacs=IACS_FLANK,
     ),
+    meanings={"eps": "Base pitches from the tip"},
 )
 def inner_curvature(d_a: Metre, d_b: Metre, eps: Number, z: Number) -> Number:
     return sqrt(d_a**2 / d_b**2 - 1) - eps * 2 * pi / z
@@ -315,7 +325,12 @@ def pitting_limit(sigma_Hlim: Pascal, Z_NT: Number, Z_L: Number, Z_v: Number, Z_
     return sigma_Hlim * Z_NT * Z_L * Z_v * Z_R * Z_W
 
 
-@formula("σ_HP", "ISO 6336-2:2006: permissible contact stress", unit="MPa")
+@formula(
+    "σ_HP",
+    "ISO 6336-2:2006: permissible contact stress",
+    unit="MPa",
+    meanings={"S_Hmin": "Least safety against pitting"},
+)
 def permissible_contact_stress(sigma_HG: Pascal, S_Hmin: Number) -> Pascal:
     return sigma_HG / S_Hmin
 
@@ -517,7 +532,12 @@ def root_limit(
     return sigma_Flim * Y_ST * Y_NT * Y_drelT * Y_RrelT * Y_X * Y_M
 
 
-@formula("σ_FP", "ISO 6336-3:2006: permissible root stress", unit="MPa")
+@formula(
+    "σ_FP",
+    "ISO 6336-3:2006: permissible root stress",
+    unit="MPa",
+    meanings={"S_Fmin": "Least safety against tooth breakage"},
+)
 def permissible_root_stress(sigma_FG: Pascal, S_Fmin: Number) -> Pascal:
     return sigma_FG / S_Fmin
 

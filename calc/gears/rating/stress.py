@@ -38,7 +38,17 @@ def zone_factor(beta_b: Radian, alpha_wt: Radian, alpha_t: Radian) -> Number:
     return sqrt(2 * cos(beta_b) * cos(alpha_wt) / (cos(alpha_t) ** 2 * sin(alpha_wt)))
 
 
-@formula("E'", Text("{contact}: modulus of both bodies together, Z_E = √E'", contact=CONTACT), unit="MPa")
+@formula(
+    "E'",
+    Text("{contact}: modulus of both bodies together, Z_E = √E'", contact=CONTACT),
+    unit="MPa",
+    meanings={
+        "nu_1": "Poisson's ratio of the driver",
+        "E_1": "Modulus of elasticity of the driver",
+        "nu_2": "Poisson's ratio of the driven wheel",
+        "E_2": "Modulus of elasticity of the driven wheel",
+    },
+)
 def contact_modulus(nu_1: Number, E_1: Pascal, nu_2: Number, E_2: Pascal) -> Pascal:
     return 1 / (pi * ((1 - nu_1**2) / E_1 + (1 - nu_2**2) / E_2))
 
@@ -88,7 +98,11 @@ def tool_half_width(m_n: Metre, h_fP: Number, alpha_n: Radian, s_pr: Metre, rho_
     return m_n * (pi / 4 - h_fP * tan(alpha_n) - (1 - sin(alpha_n)) * rho_aP0 / cos(alpha_n)) + s_pr / cos(alpha_n)
 
 
-@formula("G", Text("{root}: height of the corner centre against the reference circle", root=ROOT))
+@formula(
+    "G",
+    Text("{root}: height of the corner centre against the reference circle", root=ROOT),
+    meanings={"x": "Profile shift coefficient"},
+)
 def tool_corner_height(rho_aP0: Number, h_fP: Number, x: Number) -> Number:
     return rho_aP0 - h_fP + x
 
@@ -143,7 +157,7 @@ def load_pressure_angle(d_bn: Metre, d_en: Metre) -> Radian:
     return acos(d_bn / d_en)
 
 
-@formula("γ_e", Text("{root}: half tooth angle at the load", root=ROOT))
+@formula("γ_e", Text("{root}: half tooth angle at the load", root=ROOT), meanings={"x": "Profile shift coefficient"})
 def load_tooth_angle(x: Number, alpha_n: Radian, z_n: Number, alpha_en: Radian) -> Radian:
     return (pi / 2 + 2 * x * tan(alpha_n)) / z_n + inv(alpha_n) - inv(alpha_en)
 

@@ -262,27 +262,28 @@ def threshold_speed(n_h: RevPerSecond, m_c: Kilogram, m: Kilogram) -> RevPerSeco
     "Ω",
     "kinematics: speed of a force that stands still, seen from the turning load, positive in the sense in which the "
     "film is dragged",
+    meanings={"sense": "Sense in which the film is dragged, 1 or −1"},
 )
 def relative_speed(sense: Number, n_F: RevPerSecond) -> RadPerSecond:
     return -sense * 2 * pi * n_F
 
 
-@formula("Z_xx", IMPEDANCE)
+@formula("Z_xx", IMPEDANCE, meanings={"m": "Mass that the journal carries along"})
 def impedance_xx(K_xx: NewtonPerMetre, C_xx: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> Impedance:
     return K_xx + 1j * Omega * C_xx - 2 * m * Omega**2
 
 
-@formula("Z_xy", IMPEDANCE)
+@formula("Z_xy", IMPEDANCE, meanings={"m": "Mass that the journal carries along"})
 def impedance_xy(K_xy: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> Impedance:
     return K_xy + 1j * Omega * C_xy + 2j * m * Omega**2
 
 
-@formula("Z_yx", IMPEDANCE)
+@formula("Z_yx", IMPEDANCE, meanings={"m": "Mass that the journal carries along"})
 def impedance_yx(K_yx: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> Impedance:
     return K_yx + 1j * Omega * C_xy - 2j * m * Omega**2
 
 
-@formula("Z_yy", IMPEDANCE)
+@formula("Z_yy", IMPEDANCE, meanings={"m": "Mass that the journal carries along"})
 def impedance_yy(K_yy: NewtonPerMetre, C_yy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> Impedance:
     return K_yy + 1j * Omega * C_yy - 2 * m * Omega**2
 

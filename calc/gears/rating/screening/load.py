@@ -73,6 +73,11 @@ def helical_load_factor(eps_gamma: Number) -> Number:
     "b_M",
     "ISO/TR 15144-1:2014 (82), (83): square of the thermal contact coefficient",
     names={"lam": "λ_M", "c": "c_M", "rho": "ρ_M"},
+    meanings={
+        "lam": "Thermal conductivity of the wheel",
+        "rho": "Density of the wheel",
+        "c": "Specific heat of the wheel",
+    },
 )
 def thermal_product(lam: WattPerMetreKelvin, rho: KilogramPerMetre3, c: JoulePerKilogramKelvin) -> ThermalProduct:
     return lam * rho * c

@@ -101,7 +101,12 @@ def contact_temperature(T_M: Celsius, T_fl: Kelvin) -> Celsius:
     return T_M + T_fl
 
 
-@formula("S_GF", Text("{iso} (27): sliding parameter", iso=ISO), names={"eta_B": "η_B", "eta_M": "η_M"})
+@formula(
+    "S_GF",
+    Text("{iso} (27): sliding parameter", iso=ISO),
+    names={"eta_B": "η_B", "eta_M": "η_M"},
+    meanings={"eta_B": "Viscosity of the oil at the flank"},
+)
 def sliding_parameter(alpha_B: PerPascal, eta_B: PascalSecond, alpha_M: PerPascal, eta_M: PascalSecond) -> Number:
     return alpha_B * eta_B / (alpha_M * eta_M)
 

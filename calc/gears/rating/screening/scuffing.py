@@ -59,6 +59,7 @@ LOAD_STAGE: Number = 10.0  # rule of this program: engine oils usually pass beyo
     "X_L",
     Text("{iso} (27): lubricant factor; X is 1 for mineral oil, 0.8 PAO, 0.7 PAG", iso=ISO),
     names={"X": "X_base", "eta": "η_oil"},
+    meanings={"X": "Factor of the base oil"},
 )
 def lubricant_factor(X: Number, eta: PascalSecond) -> Number:
     return X * power(eta / MILLIPASCAL_SECOND, -0.05)
@@ -86,7 +87,11 @@ def deflection(K_A: Number, F_t: Newton, b: Metre, alpha_t: Radian, c_gamma: Pas
     return K_A * F_t / (b * cos(alpha_t) * c_gamma)
 
 
-@formula("X_J", Text("{iso} (45) to (48): approach factor, no tip relief: the shock before the pitch point", iso=ISO))
+@formula(
+    "X_J",
+    Text("{iso} (45) to (48): approach factor, no tip relief: the shock before the pitch point", iso=ISO),
+    meanings={"rho_1": "Radius of curvature of the driver there", "g_alpha": "Length of the path of contact"},
+)
 def approach_factor(C_eff: Metre, rho_C: Metre, rho_1: Metre, g_alpha: Metre) -> Number:
     return 1 + C_eff / DEFLECTION * (largest(rho_C - rho_1, NOTHING) / g_alpha) ** 3
 
@@ -127,12 +132,19 @@ def mean_flash_temperature(T_fl: Kelvins, rho_1: Metres) -> Kelvin:
     return float(area / (place[-1] - place[0]))
 
 
-@formula("X_mp", Text("{iso} (23): a wheel with more than one mate is heated by each", iso=ISO), names={"n_p": "n_p"})
+@formula(
+    "X_mp",
+    Text("{iso} (23): a wheel with more than one mate is heated by each", iso=ISO),
+    names={"n_p": "n_p"},
+    meanings={"n_p": "Mates of the wheel"},
+)
 def multiple_path_factor(n_p: Number) -> Number:
     return (1 + n_p) / 2
 
 
-@formula("Θ_M", Text("{iso} (22): bulk temperature", iso=ISO), names=NAMES)
+@formula(
+    "Θ_M", Text("{iso} (22): bulk temperature", iso=ISO), names=NAMES, meanings={"X_S": "Factor of the lubrication"}
+)
 def bulk_temperature(T_oil: Celsius, X_S: Number, X_mp: Number, T_flm: Kelvin) -> Celsius:
     return T_oil + 0.47 * X_S * X_mp * T_flm
 
@@ -146,6 +158,7 @@ def contact_temperature(T_M: Celsius, T_fl: Kelvin) -> Celsius:
     "Θ_S",
     Text("{iso} (99): scuffing temperature from the load stage of the FZG test A/8.3/90", iso=ISO),
     names={"S": "S_FZG"},
+    meanings={"S": "Load stage of the FZG test"},
 )
 def scuffing_temperature(X_W: Number, X_L: Number, S: Number) -> Celsius:
     return EIGHTY + (0.85 + 1.4 * X_W) * X_L * S**2 * ONE_KELVIN
