@@ -188,7 +188,12 @@ def couple_deviation(C_O: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> NewtonMe
     return modulus(C_O - C_S)
 
 
-@formula("ΔC_S", "mathematics: part of the shaft's couple along the required one, beyond it", names={"C_req": "C_req"})
+@formula(
+    "ΔC_S",
+    "mathematics: part of the shaft's couple along the required one, beyond it",
+    names={"C_req": "C_req"},
+    meanings={"C_req": "Couple that the counter-shaft must supply"},
+)
 def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMetre:
     """Above zero: the shaft is too heavy by so much, which drilling can take away."""
     return modulus(C_S) * cos(argument(C_S) - argument(C_req)) - modulus(C_req)
@@ -277,7 +282,7 @@ def lever_weight(G_S: Newton, z_S: Metre, z_o: Metre, z_B: Metre) -> Newton:
     return G_S * (z_S - z_o) / (z_B - z_o)
 
 
-@formula("T", "definition: power over angular speed")
+@formula("T", "definition: power over angular speed", meanings={"n": "Speed of the shaft"})
 def gear_torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
     """>>> gear_torque(P=220.2, n=43.33)
     0.8088141...
@@ -408,6 +413,10 @@ def room_on_the_way(D_b: Metre, R: Metre) -> Metre:
     return D_b / 2 - R
 
 
-@formula("n_1/n_max", "definition: first critical speed over the highest speed of the shaft")
+@formula(
+    "n_1/n_max",
+    "definition: first critical speed over the highest speed of the shaft",
+    meanings={"n_max": "Highest speed of the shaft"},
+)
 def critical_share(n_1: RevPerSecond, n_max: RevPerSecond) -> Number:
     return n_1 / n_max

@@ -94,7 +94,12 @@ def whole_area(A: SquareMetre, r_0: Metre) -> SquareMetre:
     return A + pi * r_0**2
 
 
-@formula("ȳ", "geometry: centre of gravity of sector and core from the axis", unit="mm")
+@formula(
+    "ȳ",
+    "geometry: centre of gravity of sector and core from the axis",
+    unit="mm",
+    meanings={"S": "Static moment of the sector about the axis"},
+)
 def whole_centre(S: CubicMetre, A_tot: SquareMetre) -> Metre:
     return S / A_tot
 
@@ -129,7 +134,7 @@ def cylinder_inertia(R: Metre) -> Metre4:
     "I_p",
     "geometry, polar moment of sector and core about the axis; a full cylinder: γ = π",
     unit="mm⁴",
-    meanings={"R": "Radius of the cylinder"},
+    meanings={"R": "Radius of the cylinder", "gamma": "Half of the sector's angle"},
 )
 def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
     return gamma * (R**4 - r_0**4) / 2 + pi * r_0**4 / 2

@@ -100,7 +100,12 @@ def xu_kahraman(f: Number, p_H: Pascal, S: Number, u_e: MetrePerSecond, eta_0: P
     )
 
 
-@formula("μ_BK", "Benedict and Kelley 1961; kept within 0.01 and 0.2", names={"V_T": "V_Σ"})
+@formula(
+    "μ_BK",
+    "Benedict and Kelley 1961; kept within 0.01 and 0.2",
+    names={"V_T": "V_Σ"},
+    meanings={"V_T": "Sum of the velocities of both flanks"},
+)
 def benedict_kelley(w: NewtonPerMetre, eta_0: PascalSecond, V_s: MetrePerSecond, V_T: MetrePerSecond) -> Number:
     return smallest(
         largest(

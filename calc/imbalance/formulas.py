@@ -44,7 +44,7 @@ FORCES, COUPLES = {"F_f": "F⁺", "F_b": "F⁻"}, {"C_f": "C⁺", "C_b": "C⁻"}
     "F_n⁺",
     Text("{vectors}: force of an order that turns forward", vectors=VECTORS),
     names={"m": "M_alt"},
-    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders", "c_n": "Harmonics of the acceleration"},
 )
 def force_forward(
     omega: RadPerSecond,
@@ -63,7 +63,7 @@ def force_forward(
     "F_n⁻",
     Text("{vectors}: force of an order that turns backward", vectors=VECTORS),
     names={"m": "M_alt"},
-    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders", "c_n": "Harmonics of the acceleration"},
 )
 def force_backward(
     omega: RadPerSecond,
@@ -82,7 +82,7 @@ def force_backward(
     "C_n⁺",
     Text("{vectors}: couple of an order that turns forward", vectors=VECTORS),
     names={"m": "M_alt"},
-    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders", "c_n": "Harmonics of the acceleration"},
 )
 def couple_forward(
     omega: RadPerSecond,
@@ -102,7 +102,7 @@ def couple_forward(
     "C_n⁻",
     Text("{vectors}: couple of an order that turns backward", vectors=VECTORS),
     names={"m": "M_alt"},
-    meanings={"n": "Order", "psi": "Bank angles of the cylinders"},
+    meanings={"n": "Order", "psi": "Bank angles of the cylinders", "c_n": "Harmonics of the acceleration"},
 )
 def couple_backward(
     omega: RadPerSecond,

@@ -46,7 +46,9 @@ STABLE_FILM: Number = 150.0  # McKee & McKee 1932, cP·rpm/psi
 SPEED_FACTOR: tuple[Number, Number] = (3.0, 10.0)
 
 
-@formula("p", "Finotti 2013, 3.2.3.1: specific load on the projected area", unit="MPa", meanings={"l": "Length"})
+@formula(
+    "p", "Finotti 2013, 3.2.3.1: specific load on the projected area", unit="MPa", meanings={"l": "Length", "F": "Load"}
+)
 def specific_load(F: Newton, d: Metre, l: Metre) -> Pascal:
     """>>> specific_load(F=1707, d=0.0595, l=0.0275)
     1043239...

@@ -378,7 +378,7 @@ def _put_in(line: Line) -> dict[str, str]:
     formula, known = line.formula, {}
     for name, x in line.arguments.items():
         own, link = formula.names.get(name, symbol(name)), link_of(x)
-        said = symbol_of(link) if isinstance(link, Line) else own
+        said = symbol_of(link) if isinstance(link, Line) and _is(x, link.value) else own
         alike = own.partition("_")[0] == said.partition("_")[0]
         says_more = not own.startswith(said) and not said.endswith(ANYWHERE)
         known[own] = said if alike and says_more else own
@@ -386,6 +386,13 @@ def _put_in(line: Line) -> dict[str, str]:
         known = {own: order if own == "n" else _of_order(said, order) for own, said in known.items()}
     every = [symbol_of(line), *known, *known.values()]
     return {own: said for own, said in known.items() if said != own and every.count(said) == 1}
+
+
+def _is(x: object, value: object) -> bool:
+    """Whether an argument is what a line gave, and not another number that was found from it: its opposite."""
+    if isinstance(x, (float, complex)) and isinstance(value, (float, complex)):
+        return abs(x - value) <= ALIKE * abs(value)
+    return True
 
 
 def show(

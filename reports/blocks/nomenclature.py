@@ -11,6 +11,8 @@ from itertools import takewhile
 from math import isclose
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from calc.design.addresses import quantities, quantity_of, step_at, value_at
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import of_few_numbers, result, symbol, symbol_of
@@ -177,9 +179,10 @@ def noted_line(context: Context, line: Line, name: str, put_in: Mapping[str, str
     for parameter, value in line.arguments.items() if written else ():
         own = formula.names.get(parameter) or symbol(parameter)
         set_as = own if formula.shows else put_in.get(own, own)
-        if parameter in declared:
-            names.append(_noted(context, set_as, context.say(declared[parameter]), known.get(parameter, "")))
-        elif (origin := _origin(context, own, value)) is not None:
+        origin = _origin(context, own, value) if set_as != own or parameter not in declared else None
+        if origin is None and parameter in declared:
+            origin = context.say(declared[parameter]), known.get(parameter, "")
+        if origin is not None:
             names.append(_noted(context, set_as, *origin))
     return BETWEEN.join(filter(None, dict.fromkeys(names)))
 
@@ -218,7 +221,7 @@ def _origin(context: Context, name: str, value: object) -> tuple[str, str] | Non
     origins = leaves(link_of(value))
     lines, keys = [x for x in origins if isinstance(x, Line)], [x for x in origins if isinstance(x, str)]
     if lines and not keys and len({(_name(line), symbol_of(line)) for line in lines}) == 1:
-        return _meaning(context, lines[0])
+        return _meaning(context, lines[0]) if _given_by(value, lines) else None
     try:
         inputs = [quantity_of(context.document.data, key) for key in keys]
     except BadInput:
@@ -230,6 +233,16 @@ def _origin(context: Context, name: str, value: object) -> tuple[str, str] | Non
     if not own_key and not _same(value, [value_at(context.document.data, key) for key in keys], inputs[0]):
         return None  # what is made of an input is something else: the tolerance of a diameter
     return context.say(inputs[0].label), inputs[0].unit
+
+
+def _given_by(value: object, lines: list[Line]) -> bool:
+    """Whether an argument is what lines gave, or some of it, and not only found from it."""
+    given = np.concatenate([np.ravel(np.asarray(line.value)) for line in lines])
+    if given.dtype == object or isinstance(value, str):
+        return True
+    return bool(
+        np.isclose(np.ravel(np.asarray(value))[:, None], given, rtol=1e-9, atol=0.0, equal_nan=True).any(1).all()
+    )
 
 
 def _same(value: object, given: list[Any], about: Quantity) -> bool:

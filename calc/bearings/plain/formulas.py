@@ -157,7 +157,9 @@ def effective_speed(n_J: RevPerSecond, n_B: RevPerSecond, n_F: RevPerSecond) -> 
     return modulus(n_J + n_B - 2 * n_F)
 
 
-@formula("S", "Raimondi & Boyd 1958: Sommerfeld number", meanings={"n_h": "Hydrodynamically effective speed"})
+@formula(
+    "S", "Raimondi & Boyd 1958: Sommerfeld number", meanings={"n_h": "Hydrodynamically effective speed of journal"}
+)
 def sommerfeld(mu: PascalSecond, n_h: RevPerSecond, p: Pascal, psi: Number) -> Number:
     """>>> sommerfeld(mu=0.007281, n_h=43.33, p=1043000, psi=0.002359)
     0.05435500...
@@ -264,7 +266,7 @@ def friction_coefficient(psi: Number, f_v: Number) -> Number:
     return psi * f_v
 
 
-@formula("P_f", "definition of power: of friction")
+@formula("P_f", "definition of power: of friction", meanings={"F": "Load"})
 def friction_power(f: Number, F: Newton, u: MetrePerSecond) -> Watt:
     """>>> friction_power(f=0.005485, F=1707, u=8.1)
     75.83944...

@@ -117,7 +117,7 @@ def shared_inertia(I_0: Metre4, eta: Number, I: Metre4) -> Metre4:
     "I_side",
     "geometry: second moment of sector and core, bending across the plane of symmetry",
     unit="mm⁴",
-    meanings={"R": "Radius of the cylinder"},
+    meanings={"R": "Radius of the cylinder", "gamma": "Half of the sector's angle"},
 )
 def sideways_inertia(R: Metre, r_0: Metre, gamma: Radian) -> Metre4:
     return (R**4 - r_0**4) / 4 * (gamma - sin(gamma) * cos(gamma)) + pi * r_0**4 / 4
@@ -178,7 +178,7 @@ def heavier_rotary_inertia(rho: KilogramPerMetre3, I: Metres4, I_0: Metres4, nu:
     "q",
     "dynamics: centrifugal load per length of what is eccentric",
     names={"omega": "ω_S"},
-    meanings={"rho": "Density"},
+    meanings={"rho": "Density", "S": "Static moment of the sectors, as a vector"},
 )
 def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) -> PhasorNewtonPerMetre:
     return omega**2 * rho * S

@@ -245,17 +245,29 @@ def bearing_span(z_f: Metre, z_r: Metre) -> Metre:
     return z_r - z_f
 
 
-@formula("C_m", "statics: couple moved to the middle of the bolts", meanings={"C_S": "Couple of the shaft"})
+@formula(
+    "C_m",
+    "statics: couple moved to the middle of the bolts",
+    meanings={"C_S": "Couple of the shaft", "F_S": "Force of the shaft"},
+)
 def couple_about_middle(C_S: PhasorNewtonMetre, z_m: Metre, F_S: PhasorNewton) -> PhasorNewtonMetre:
     return C_S - z_m * F_S
 
 
-@formula("Q_f", "statics of a rigid support: force and couple of the shaft shared by the front and rear bolts")
+@formula(
+    "Q_f",
+    "statics of a rigid support: force and couple of the shaft shared by the front and rear bolts",
+    meanings={"F_S": "Force of the shaft"},
+)
 def force_front(F_S: PhasorNewton, C_m: PhasorNewtonMetre, l_b: Metre) -> Newton:
     return modulus(F_S / 2 - C_m / l_b)
 
 
-@formula("Q_r", "statics of a rigid support: force and couple of the shaft shared by the front and rear bolts")
+@formula(
+    "Q_r",
+    "statics of a rigid support: force and couple of the shaft shared by the front and rear bolts",
+    meanings={"F_S": "Force of the shaft"},
+)
 def force_rear(F_S: PhasorNewton, C_m: PhasorNewtonMetre, l_b: Metre) -> Newton:
     return modulus(F_S / 2 + C_m / l_b)
 

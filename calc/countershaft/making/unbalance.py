@@ -108,7 +108,13 @@ def hole_range(N_c: Number, C: NewtonMetre) -> NewtonMetre:
     return N_c * C
 
 
-@formula("q_c", "definition: range of the holes over the required couple", unit="%", names={"C_c": "ΔC_c"})
+@formula(
+    "q_c",
+    "definition: range of the holes over the required couple",
+    unit="%",
+    names={"C_c": "ΔC_c"},
+    meanings={"C_S": "Couple of the shaft"},
+)
 def range_share(C_c: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_c / C_S
 
@@ -344,7 +350,12 @@ def couple_error(U_f: KilogramMetre, z_f: Metre, U_r: KilogramMetre, z_r: Metre,
     return omega**2 * (U_f * modulus(z_f) + U_r * modulus(z_r))
 
 
-@formula("q_per", "definition: permitted error of the couple over the required couple", unit="%")
+@formula(
+    "q_per",
+    "definition: permitted error of the couple over the required couple",
+    unit="%",
+    meanings={"C_S": "Couple of the shaft"},
+)
 def error_share(C_per: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_per / C_S
 

@@ -157,7 +157,11 @@ def mist_viscosity(s_oil: Number, eta_oil: PascalSecond, eta_air: PascalSecond) 
     return s_oil * eta_oil + (1 - s_oil) * eta_air
 
 
-@formula("P_W", Text("{anderson}; scaled to another mist by its density to the power 0.8", anderson=ANDERSON))
+@formula(
+    "P_W",
+    Text("{anderson}; scaled to another mist by its density to the power 0.8", anderson=ANDERSON),
+    meanings={"r": "Radius of the wheel"},
+)
 def windage(
     b: Metre, r: Metre, n: RevPerSecond, eta_m: PascalSecond, rho_m: KilogramPerMetre3, rho_0: KilogramPerMetre3
 ) -> Watt:

@@ -131,12 +131,16 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
 # --- the line of action
 
 
-@formula("α_wt", Text("{agma}: working pressure angle, transverse", agma=AGMA))
+@formula(
+    "α_wt",
+    Text("{agma}: working pressure angle, transverse", agma=AGMA),
+    meanings={"r_b1": "Base radius of the driver", "r_b2": "Base radius of the driven wheel"},
+)
 def working_pressure_angle(r_b1: Metre, r_b2: Metre, a_w: Metre) -> Radian:
     return acos((r_b1 + r_b2) / a_w)
 
 
-@formula("p_bt", "definition of the transverse base pitch", unit="mm")
+@formula("p_bt", "definition of the transverse base pitch", unit="mm", meanings={"r_b1": "Base radius of the driver"})
 def base_pitch(r_b1: Metre, z_1: Number) -> Metre:
     return 2 * pi * r_b1 / z_1
 
@@ -155,12 +159,18 @@ def line_of_action(a_w: Metre, alpha_wt: Radian) -> Metre:
     Text("{agma}: C_A, start of contact at the tip of the driven wheel", agma=AGMA),
     unit="mm",
     names={"T": "T_1T_2"},
+    meanings={"r_a2": "Tip radius of the driven wheel", "r_b2": "Base radius of the driven wheel"},
 )
 def start_of_contact(T: Metre, r_a2: Metre, r_b2: Metre) -> Metre:
     return T - sqrt(r_a2**2 - r_b2**2)
 
 
-@formula("ρ_E", Text("{agma}: C_E, end of contact at the tip of the driver", agma=AGMA), unit="mm")
+@formula(
+    "ρ_E",
+    Text("{agma}: C_E, end of contact at the tip of the driver", agma=AGMA),
+    unit="mm",
+    meanings={"r_a1": "Tip radius of the driver", "r_b1": "Base radius of the driver"},
+)
 def end_of_contact(r_a1: Metre, r_b1: Metre) -> Metre:
     return sqrt(r_a1**2 - r_b1**2)
 
@@ -178,7 +188,7 @@ def overlap_ratio(b: Metre, beta_b: Radian, p_bt: Metre) -> Number:
 # --- the load
 
 
-@formula("F_bt", "definition: power over the speed of the base circle")
+@formula("F_bt", "definition: power over the speed of the base circle", meanings={"r_b1": "Base radius of the driver"})
 def transverse_force(P: Watt, omega_1: RadPerSecond, r_b1: Metre) -> Newton:
     return P / (omega_1 * r_b1)
 

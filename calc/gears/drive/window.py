@@ -105,7 +105,11 @@ def below_rattle(J_q: Metre, J_most: Metre, J: Metre) -> Metre:
     "mathematics: exact difference of two couples of equal length",
     unit="mm",
     names={"C_may": "C_max"},
-    meanings={"return": "Backlash that leaves the couple that may be left", "r_b": "Base radius"},
+    meanings={
+        "return": "Backlash that leaves the couple that may be left",
+        "r_b": "Base radius",
+        "C_may": "Couple that may be left",
+    },
 )
 def phase_by_couple(r_b: Metre, C: NewtonMetre, C_may: NewtonMetre) -> Metre:
     """Where the shaft stays so far behind that `C_may` of its couple `C` is left."""

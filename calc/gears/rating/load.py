@@ -123,7 +123,7 @@ def peak_torque(T_m: NewtonMetre, T_dyn: NewtonMetre) -> NewtonMetre:
     "T_min",
     "mathematics: least torque over the cycle, at the speed and load where it is least; below 0 the flanks part",
     names={"k": "k_D"},
-    meanings={"k": "Share of the mean torque that the drag has at that speed"},
+    meanings={"k": "Share of the mean torque that the drag has at that speed", "T_dyn": "Dynamic torque"},
 )
 def least_torque(T_m: NewtonMetre, k: Number, T_dyn: NewtonMetre) -> NewtonMetre:
     """`k`: share of the mean torque that the drag has at that speed."""

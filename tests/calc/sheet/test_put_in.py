@@ -6,7 +6,7 @@ import pytest
 from calc.sheet.expression import expression, line_text, show, symbols_put_in, text
 from calc.sheet.formula import formula
 from calc.sheet.units import Metre, Number
-from calc.sheet.value import trace
+from calc.sheet.value import based_on, trace
 from calc.solve import Results
 
 
@@ -48,6 +48,13 @@ def test_where_the_formula_says_more_or_two_would_be_alike_its_own_stands() -> N
         warmer(g=warm(g=8e-5))
     assert symbols_put_in([lines[2]]) == {} and text(show(lines[2]).formula) == "d_b1/d_b2"  # type: ignore[arg-type]
     assert symbols_put_in([lines[4]]) == {}, "what comes out is called so"
+
+
+def test_what_was_only_found_from_a_value_is_not_called_so() -> None:
+    with trace() as lines:
+        value = warm(g=8e-5)
+        relative(g=based_on(-value, value), d=0.06)
+    assert symbols_put_in(lines[1:]) == {}
 
 
 def test_of_several_lines_only_what_all_say() -> None:

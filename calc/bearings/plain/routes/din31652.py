@@ -64,7 +64,18 @@ def log_sommerfeld(So: Number) -> Number:
     return log10(So)
 
 
-@formula("Y", POLYNOMIAL, names={"F": "F_Y"})
+@formula(
+    "Y",
+    POLYNOMIAL,
+    names={"F": "F_Y"},
+    meanings={
+        "C": "Coefficient of the approximation",
+        "E": "Coefficient of the approximation",
+        "F": "Coefficient of the approximation",
+        "G": "Coefficient of the approximation",
+        "H": "Coefficient of the approximation",
+    },
+)
 def friction_exponent(C: Number, E: Number, F: Number, G: Number, H: Number, s: Number) -> Number:
     return C + E * s + F * s**2 + G * s**3 + H * s**4
 

@@ -27,7 +27,7 @@ TABLE = Text("Finotti 2013, Table 5.1 (DIN 31652-2), factor in the denominator")
     "computed here: side flow of Reynolds' solution",
     unit="L/min",
     names={"Q_rel": "Q*", "share": "(Q_s/Q)"},
-    meanings={"n_h": "Hydrodynamically effective speed"},
+    meanings={"n_h": "Hydrodynamically effective speed of journal"},
 )
 def side_flow(Q_rel: Number, share: Number, d: Metre, g: Metre, n_h: RevPerSecond, l: Metre) -> CubicMetrePerSecond:
     return Q_rel * share * d * g * n_h * l / 4
