@@ -236,8 +236,8 @@ def _cell(cell: str | float | None, texts: Iterator[str]) -> Cell:
 
 def in_column(context: Context, numbers: Sequence[float | None], beyond: int = 3) -> list[str]:
     """Numbers of one quantity below or beside each other with the same decimals: as many as show four digits of the
-    largest and three of the smallest, but no more than so many `beyond` the former; of whole numbers none.  A number that
-    they would make nought stands with its own digits; so do all where powers of ten lie between them."""
+    largest and three of the smallest, but no more than so many `beyond` the former; of whole numbers none.  A number
+    that they would make nought stands with its own digits; so do all where powers of ten lie between them."""
     sizes = [abs(x) for x in numbers if x is not None and math.isfinite(x) and x]
     if not sizes or not LEAST <= max(sizes) < MOST or any(isinstance(x, bool) for x in numbers):
         return ["" if x is None else context.written(x) for x in numbers]
