@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import is_dataclass
 from difflib import get_close_matches
 from functools import partial
+from typing import cast
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.plain.result import PlainResult
 from ..countershaft.rows import BearingRow
 from ..sheet.deferred import Later
-from ..sheet.quantity import Published, dotted, keys
+from ..sheet.quantity import Published, Quantity, dotted, keys
 from ..sheet.record import replace
 from ..sheet.step import Outcome, Table
 from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
@@ -34,9 +35,9 @@ TITLE = Text("Measured beside predicted")
 NO_VALUE = Text("this design has no such value")
 NOT_THERE = Text("is not known at this speed")
 NOTE = Text(
-    "Deviation: predicted less measured, over measured. Inside: within the uncertainty of the measurement. At another "
-    "speed the design is "
-    "solved again with its clearances as they are, and with the oil of the bench run at that speed where there is one."
+    "Deviation: predicted less measured, over measured. Inside: within the uncertainty of the measurement. An input is "
+    "no prediction: what the design takes stands beside it. At another speed the design is solved again with its "
+    "clearances as they are, and with the oil of the bench run at that speed where there is one."
 )
 
 
@@ -49,7 +50,7 @@ class Predicted:
         self._solved: dict[float, tuple[Design, Values]] = {}
 
     def of(self, row: Measured) -> tuple[float | None, Text]:
-        """The value of a row in its unit, or None and why there is none."""
+        """The value of a row in its unit, or None and why there is none: of an input what the design takes."""
         speed, engine = row.speed, self._design.engine
         if speed is None or engine is None or speed == engine.rated_speed:
             return _predicted(row, self._design, self._values)
@@ -66,6 +67,14 @@ class Predicted:
         if row.value in self._values and row.value not in self._solved[speed][1]:
             return None, NOT_THERE
         return _predicted(row, *self._solved[speed])
+
+    def name(self, row: Measured) -> Text:
+        """What was measured; an address that is none, as it stands."""
+        value = self._values.get(row.value)
+        if value is None:
+            about = _at(self._design, row.value)[1]
+            return about.label if about is not None else Name(row.value)
+        return Text("{label} ({id})", label=value.label, id=Name(row.value))
 
     def speed(self, row: Measured) -> float | None:
         """In rpm."""
@@ -91,7 +100,7 @@ def _tables(outcome: Outcome[object], rows: list[Measured], predicted: Callable[
 
 
 def measured_table(rows: list[Measured], predicted: Predicted) -> Table:
-    notes = [Text("{value}: {note}.", value=row.value, note=row.note) for row in rows if row.note]
+    notes = [Text("{value}: {note}.", value=predicted.name(row), note=row.note) for row in rows if row.note]
     cells, note = tuple(_row(row, predicted) for row in rows), SPACE.join([NOTE, *notes])
     return Table("measured", TITLE, COLUMNS, cells, note, short=True)
 
@@ -117,8 +126,8 @@ def _row(row: Measured, predicted: Predicted) -> tuple[str | float | None, ...]:
     if value is not None and row.uncertainty is not None:
         off = abs(value - row.is_) - row.uncertainty
         verdict = Text("inside") if off <= 0 else Text("outside, by {off}", off=Amount(off, row.unit))
-    deviation = _deviation(value, row.is_)
-    return Name(row.value), predicted.speed(row), row.is_, row.uncertainty, value, Name(row.unit), deviation, verdict
+    deviation, name = _deviation(value, row.is_), predicted.name(row)
+    return name, predicted.speed(row), row.is_, row.uncertainty, value, Name(row.unit), deviation, verdict
 
 
 def _deviation(predicted: float | None, measured: float) -> float | None:
@@ -127,18 +136,27 @@ def _deviation(predicted: float | None, measured: float) -> float | None:
 
 def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | None, Text]:
     value = values.get(row.value)
-    given = (value.shown, value.unit) if value is not None else _input(design, row.value)
+    taken = _input(design, row.value) if value is None else None
+    given = taken if value is None else (value.shown, value.unit)
     if given is None:
         near = get_close_matches(row.value, list(values), 1)
         return None, Text("this design has no such value; did you mean {near}?", near=near[0]) if near else NO_VALUE
     if given[1] != row.unit:
         return None, Text("is shown in {unit}: give it so", unit=given[1] or "1")
+    if taken is not None:
+        return None, Text("an input, taken as {value}", value=Amount(*taken))
     return given[0], EMPTY
 
 
 def _input(design: Design, address: str) -> tuple[float, str] | None:
     """A number of the design by the key of the file, in the unit of that key."""
-    here: object = design
+    here, about = _at(design, address)
+    return (about.units.shown(here), about.unit) if about is not None and isinstance(here, (int, float)) else None
+
+
+def _at(design: Design, address: str) -> tuple[object, Quantity | None]:
+    """What stands under a key of the file, and what is said of it; nothing where there is no such key."""
+    here, about = cast(object, design), None
     for part in address.split("."):
         if isinstance(here, tuple):
             here = next((element for element in here if getattr(element, "name", "") == part), None)
@@ -146,9 +164,9 @@ def _input(design: Design, address: str) -> tuple[float, str] | None:
         kind: type = type(here)
         key = keys(kind).get(part) if is_dataclass(here) else None
         if key is None:
-            return None
+            return None, None
         here, about = getattr(here, key.attribute), key.about
-    return (about.units.shown(here), about.unit) if isinstance(here, (int, float)) else None
+    return here, about
 
 
 BENCH = {

@@ -29,7 +29,7 @@ def test_a_row_at_the_speed_of_the_design():
         step="imbalance",
     ).rows[0]
     assert (value, speed, is_, uncertainty, unit, verdict) == (
-        "imbalance.order_1.couple_backward",
+        "Couple turning backward (imbalance.order_1.couple_backward)",
         2600.0,
         560.0,
         20.0,
@@ -57,7 +57,8 @@ def test_at_another_speed_the_clearance_stays_and_the_oil_is_that_of_the_bench()
         {"value": "bearings.supply_pressure_bar", "speed_rpm": 1251, "is": 2.4, "unit": "bar"},
     ).rows
     assert rows[0][4] == pytest.approx(80.3025, abs=1e-3) and rows[0][7].startswith("outside, by 0.1")
-    assert rows[1][4] == pytest.approx(118.7) and rows[2][4] == pytest.approx(2.4)
+    assert rows[1][0] == "Supply temperature" and rows[1][4:] == (None, "°C", None, "an input, taken as 118.7 °C")
+    assert rows[2][7] == "an input, taken as 2.4 bar"
 
 
 def test_the_film_of_another_speed_is_that_of_the_curve_over_speeds():
