@@ -80,7 +80,7 @@ def test_every_formula_is_one_and_is_copied_as_one_line(engineer: bytes) -> None
         "σ_z = F_V/A_s = 24994/(5.799·10⁻⁵) = 431 MPa",
         "σ_red = √(σ_z² + 3·τ_M²) = √((4.31·10⁸)² + 3·(1.7464·10⁸)²) = 526.6 MPa",
         "((1 + min(1.15·10⁻³; 1.15·10⁻³))·(6.30478·10⁻³) − (1 + 1.15·10⁻³)·",
-        "F = F_rated·(n/n_rated)² = 1707·(41.62/43.33)² = 1575 N",
+        "F = F_rated·(n/n_rated)² = 1707.4·(41.617/43.3333)² = 1574.8 N",
         "front bearing, oil thinned by shear: = 8.354·10⁻⁶ − 1.5625·10⁻⁴·0.0275/2 = 6.206 µm",
     ):
         assert words in whole
