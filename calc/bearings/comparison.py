@@ -295,12 +295,13 @@ def _metres_per_second(rows: Rows | None) -> float | None:
 
 
 def _sizes(one: BearingSet) -> Text:
-    return Name(", ".join(dict.fromkeys(_size(r) for r in one.bearings.values())))
+    return COMMA.join(dict.fromkeys(_size(r) for r in one.bearings.values()))
 
 
-def _size(r: Carrying) -> str:
+def _size(r: Carrying) -> Text:
     d, length = r.row.on_shaft or (0.0, 0.0)
-    return r.row.size or f"⌀{d * 1e3:g}×{length * 1e3:g}"
+    across, long = (Amount(x * 1e3, form="g") for x in (d, length))
+    return Name(r.row.size) if r.row.size else Text("⌀{d}×{length}", d=across, length=long)
 
 
 def _risks(case: ComparisonCase, one: BearingSet) -> Text:

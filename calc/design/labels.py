@@ -5,9 +5,10 @@ from typing import Any
 
 from ..countershaft.inputs import ShaftInputs
 from ..gears.inputs import Mesh
+from ..library.journal_rules import called
 from ..sheet.errors import BadInput
 from ..sheet.quantity import dotted
-from ..sheet.text import Name, Small, Text
+from ..sheet.text import SPACE, Name, Small, Text
 from .addresses import Table, address, as_list, as_table, changed, declared, own_shafts, quantity_of, rows_of
 from .model import Design
 from .upgrade import is_twin
@@ -62,4 +63,4 @@ def label_of(data: Table, key: str) -> Text:
     ways = [where[:2], where[: numbered + 1]] if several else [where[: numbered + 1]]
     elements = [content_at(with_bearings(data, where), way) for way in ways]
     names = [_name(as_table(element)) or str(int(way[-1]) + 1) for way, element in zip(ways, elements)]
-    return Text("{label} of {place}", label=words, place=" ".join(names))
+    return Text("{label} of {place}", label=words, place=SPACE.join(map(called, names)))

@@ -66,7 +66,10 @@ def _strength(train: "TrainResult", wheel: str) -> Iterator[tuple[Text, Text]]:
     """How its material is treated, and how hard its surface has to be."""
     if (strength := strength_of(train, wheel)) is None:
         return
-    yield Text("Heat treatment, ISO 6336-5"), Text("{name}, {quality}", name=strength.name, quality=strength.quality)
+    yield (
+        Text("Heat treatment, ISO 6336-5"),
+        Text("{name}, {quality}", name=Text(strength.name), quality=strength.quality),
+    )
     least = strength.low if strength.hardness is None else strength.hardness
     low, high = number(least, 0), number(strength.high, 0)
     yield Text("Surface hardness"), Text("{low} to {high} {scale}", low=low, high=high, scale=strength.scale)

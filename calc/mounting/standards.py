@@ -70,7 +70,7 @@ NOT_BOTH = Text(
     "information, no verdict."
 )
 WITHIN = Text("ISO 10816-6 applies: a reciprocating machine above 100 kW that stands in no road vehicle.")
-NO_CLASS = Text("No machine_class is given: the grade is not judged.")
+NO_CLASS = Text("No class of the machine is given: the grade is not judged.")
 COMPRESSORS = Text(
     "ISO 20816-8 is for reciprocating compressor systems on rigid foundations, drivers excluded: it never applies to "
     "an engine."

@@ -14,7 +14,7 @@ from functools import cache
 
 from .formula import definition, units
 from .number import DIGITS, LISTED, SUBSCRIPTS, SUPERSCRIPTS, all_rounded, rounded, scalar, several, short
-from .record import record
+from .record import record, replace
 from .text import COMMA, EMPTY, Name, Text, with_unit
 from .units import UNITS
 from .value import Equation, Line, link_of
@@ -231,6 +231,12 @@ class Shown:
     about: Text
     where: Text = EMPTY  # which element of an array is shown
     degrees: str = ""  # an angle that another line takes, which is in radians
+    given: str = ""  # what an algorithm takes, where that is a few numbers
+
+    @property
+    def how(self) -> Text:
+        """An algorithm in words, with what it takes."""
+        return Text("{how}, at {given}", how=self.shows, given=Name(self.given)) if self.given else self.shows
 
     @property
     def result(self) -> str:
@@ -406,7 +412,7 @@ def show(
     shape = getattr(line.value, "shape", ())
     arguments, value = _at_element(line, index)
     tree = expression(formula)
-    numbers, shows, texts = None, formula.shows, dict[str, str]()
+    numbers, shows, given, texts = None, formula.shows, "", dict[str, str]()
     if tree is not None or of_few_numbers(line):
         factor = (_taken_unit if taken else _result_unit)(formula)[1]
         known, digits = units(formula), digits_that_close(formula, arguments, value, factor, max(taken, DIGITS))
@@ -417,11 +423,10 @@ def show(
     if tree is not None:
         numbers = substituted(tree, texts)
     elif shows and texts:
-        given = COMMA.join(Name(f"{plain(own)} = {words}") for own, words in texts.items())
-        shows = Text("{how}, at {given}", how=shows, given=given)
+        given = "; ".join(f"{plain(own)} = {words}" for own, words in texts.items())
     if tree is None and not shows:
-        given = COMMA.join(Name(f"{symbol(k)} = {_argument(v, '')}") for k, v in arguments.items())
-        shows = Text("{name}({given})", name=formula.__name__, given=given)
+        listed = COMMA.join(Name(f"{symbol(k)} = {_argument(v, '')}") for k, v in arguments.items())
+        shows = Text("{name}({given})", name=formula.__name__, given=listed)
     where = EMPTY
     if index is not None and (size := math.prod(shape)) > 1:
         template = NUMBERED if index == at else GOVERNS[formula.governs]
@@ -430,7 +435,9 @@ def show(
         tree = renamed(tree, called)
     written, unit = _result(formula, value, taken)
     degrees = "" if unit == _result_unit(formula)[0] else with_unit(*_result(formula, value))
-    return Shown(symbol_of(line), tree, numbers, shows, written, unit, formula.source, line.about, where, degrees)
+    return Shown(
+        symbol_of(line), tree, numbers, shows, written, unit, formula.source, line.about, where, degrees, given
+    )
 
 
 # --- for the terminal
@@ -500,7 +507,7 @@ def line_text(line: Line, say: Callable[[str], str] = str, number: Callable[[str
     result = with_unit(number(shown.value), shown.unit) + (f"   ({say(shown.where)})" if shown.where else "")
     head = plain(shown.symbol)
     if shown.formula is None or shown.numbers is None:
-        return f"{head}: {say(shown.shows)}", f"= {result}", say(shown.source)
+        return f"{head}: {say(replace(shown, given=number(shown.given)).how)}", f"= {result}", say(shown.source)
     substitution = f"= {number(text(shown.numbers))} = {result}"
     return f"{head} = {number(text(shown.formula))}", substitution, say(shown.source)
 
@@ -510,7 +517,7 @@ def line_json(line: Line) -> dict[str, str]:
     shown = show(line)
     return {
         "symbol": shown.symbol,
-        "formula": text(shown.formula) if shown.formula else shown.shows,
+        "formula": text(shown.formula) if shown.formula else shown.how,
         "substituted": text(shown.numbers) if shown.numbers else "",
         "value": shown.value,
         "unit": shown.unit,

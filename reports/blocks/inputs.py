@@ -109,6 +109,8 @@ def _given(key: Key, data: dict[str, Any]) -> _Given:
 
 def _written(about: Quantity, value: Any, *, rounded: bool = False) -> str:
     """A value as the file has it; a choice in a word."""
+    if isinstance(value, bool):
+        return Text("yes") if value else Text("no")
     return choice_word(value) if about.kind == "choice" and isinstance(value, str) else exact(value, rounded=rounded)
 
 

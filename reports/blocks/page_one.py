@@ -19,7 +19,7 @@ from calc.studies.repair.nearest import nearest
 
 from ..context import Context
 from ..typesetting.fonts import BOLD, WIDTH
-from ..typesetting.pagination import Block, TextContent, composed, heading, paragraph
+from ..typesetting.pagination import Block, TextContent, composed, heading, paginate, paragraph
 from ..typesetting.prose import BODY, CELL, SECTION, STRONG, Style, lines, one_line
 from ..typesetting.tables import Cell, Column, Row, table
 from .checks import counted, name_of, not_given, shown_value
@@ -88,7 +88,8 @@ def page_one(context: Context, repair: Mended | None) -> list[Block]:
         if count < len(rows):
             key = "more_proposals" if context.depth == "summary" else "more_values"
             whole += paragraph(context.text(key, count=len(rows) - count), CELL, gap=1.0)
-        if len(composed(blocks + whole)) == 1:
+        fits = len(composed(blocks + whole)) if context.depth == "summary" else len(paginate(blocks + whole))
+        if fits == 1:
             return blocks + whole
         if context.depth != "summary" and count <= FEWEST:
             break

@@ -7,6 +7,7 @@ After them the tables that the step itself has put together.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby
@@ -175,7 +176,10 @@ def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block
     names = [Column(p.name, "r") for p in parts]
     under = [[Cell(str(row[i])) for row in rows] for i in range(2, 2 + len(parts))]
     narrow = [
-        replace(column, width=max(min(_one_line(column.header), PART), *(natural(cell, column) for cell in some)))
+        replace(
+            column,
+            width=max(min(_one_line(column.header), PART), _longest(column), *(natural(cell, column) for cell in some)),
+        )
         for column, some in zip(names, under)
     ]
     columns = (Column(w["quantity"]), Column(w["symbol"], width=44.0), *narrow, Column(w["unit"], width=40.0))
@@ -280,6 +284,11 @@ def _words_width(column: Column, cells: list[Cell]) -> float:
 
 def _one_line(header: str) -> float:
     return run(header, HEADER).width
+
+
+def _longest(column: Column) -> float:
+    """The width of the longest word of a header; a name of several parts ends at each of its dashes."""
+    return max((run(word, HEADER).width for word in re.split(r"(?<=[-–])|\s+", column.header) if word), default=0.0)
 
 
 def _two_lines(header: str) -> float:

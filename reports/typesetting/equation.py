@@ -258,7 +258,8 @@ def shown(line: Line, say: Language, entry: EquationEntry, called: Mapping[str, 
     where = place.words if place and shown_line.where else say(shown_line.where)
     return replace(
         shown_line,
-        shows=Name(say(shown_line.shows)),
+        shows=Name(say(replace(shown_line, given=number(shown_line.given)).how)),
+        given="",
         where=Name(where),
         value=number(shown_line.value),
         degrees=number(shown_line.degrees),

@@ -56,7 +56,7 @@ def _of_seat(row: BearingRow) -> Iterator[tuple[Text, Text]]:
         seat_words = Text("Seat in the housing, {place}", place=place)
     yield seat_words, deviated(across, *deviations(seat, size.outside))
     if row.outer_ring_held != "fit" and size.type != "cage":
-        yield Text("Outer ring held by, {place}", place=place), Text("{how}", how=row.outer_ring_held)
+        yield Text("Outer ring held by, {place}", place=place), Text("{how}", how=Text(row.outer_ring_held))
     if size.inner_ring:
         return
     hard = Text("at least {HV} HV", HV=number(row.raceway_hardness, 0))

@@ -63,7 +63,7 @@ def _load_notes(context: RatingContext, load: RatingLoad) -> Iterator[Text]:
     gears = context.gears
     K_A = Amount(load.K_A, form="g")
     yield Text(
-        "Rating by ISO 6336:{iso_6336_edition}, method B; contact_stress and root_stress are nominal, K = 1.",
+        "Rating by ISO 6336:{iso_6336_edition}, method B; contact and root stress are nominal, K = 1.",
         iso_6336_edition=gears.iso_6336_edition,
     )
     if gears.application_factor is not None:
