@@ -24,9 +24,8 @@ from aiohttp.log import server_logger
 from textual_serve.app_service import AppService
 from textual_serve.server import Server
 
-from calc.design.limits import COLUMNS, MESSAGE_BYTES, PASTED, ROWS, SESSIONS
+from calc.design.limits import COLUMNS, HOST, MESSAGE_BYTES, PASTED, ROWS, SESSIONS
 
-HOST = "127.0.0.1"
 ENDING = 10.0  # seconds that a session has to put its edits aside
 LAST = 1.0  # and its process after that
 OUTSIDE = re.compile(r'<link\b[^>]*href="https://[^>]*>')  # the page would ask a font host for what lies beside it

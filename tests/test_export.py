@@ -287,3 +287,13 @@ def test_the_map_has_a_row_for_each_speed_and_load(tmp_path, gamma_results):
 def test_where_there_is_no_map(tmp_path, capsys, path, kind, words):
     assert main(["export", str(path), "--map", "-o", str(tmp_path / f"map.{kind}")]) == 2
     assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("arguments", [("export", str(GAMMA), "--dxf", "-o", "x.dxf"), ("serve", str(GAMMA))])
+def test_an_extra_that_is_not_installed_is_named(capsys, arguments, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for module in ("assistant.session.exporting", "assistant.commands.session"):
+        monkeypatch.setattr(f"{module}.find_spec", lambda name: None)
+    assert main([*arguments]) == 2
+    extra = "dxf" if arguments[0] == "export" else "serve"
+    assert f"pip install 'contralbero[{extra}]'" in capsys.readouterr().err and not list(tmp_path.iterdir())

@@ -7,16 +7,21 @@ import os
 import socket
 import sys
 from argparse import Namespace
+from importlib.util import find_spec
 from pathlib import Path
 
+from calc.design.limits import HOST
 from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 
-from ..server import HOST, Local
-
 
 def run_serve(asked: Namespace) -> int:
+    if find_spec("textual_serve") is None:
+        reason = Text("needs the extra `serve`: pip install 'contralbero[serve]'")
+        raise BadInput("contralbero", [InputError(0, "serve", "", reason)])
+    from ..server import Local
+
     path = None
     if asked.file is not None:
         design(read(asked.file))  # a design with mistakes is an error here, not an empty page

@@ -23,6 +23,7 @@ FRONT_BYTES = 4_000_000  # a front of 2000 drives has a third of it
 
 # --- the session in a browser
 
+HOST = "127.0.0.1"  # of the pages of `serve`: this machine alone
 SESSIONS = 8
 COLUMNS, ROWS = 1000, 500
 PASTED = 100_000
