@@ -87,7 +87,7 @@ def quiet(J: Metre, u: MetrePerSecond) -> Metre:
 
 
 @formula(
-    "J_hi",
+    "J_r",
     "rule of this program: nominal backlash whose largest, with tolerances and all warm, is just quiet enough",
     unit="µm",
     names={"J_most": "J_run", "J": "J_Σ"},
