@@ -103,7 +103,7 @@ def below_rattle(J_q: Metre, J_most: Metre, J: Metre) -> Metre:
 @formula(
     "J_φ",
     "mathematics: exact difference of two couples of equal length",
-    unit="mm",
+    unit="µm",
     names={"C_may": "C_max"},
     meanings={
         "return": "Backlash that leaves the couple that may be left",
@@ -119,7 +119,7 @@ def phase_by_couple(r_b: Metre, C: NewtonMetre, C_may: NewtonMetre) -> Metre:
 @formula(
     "J_φ",
     "mathematics: exact difference of two forces of equal length",
-    unit="mm",
+    unit="µm",
     names={"F_may": "F_max"},
     meanings={"return": "Backlash that leaves the force that may be left"},
 )
