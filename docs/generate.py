@@ -377,7 +377,7 @@ The window is empty: closer tolerances or another remedy, not another nominal va
 | a heavier flywheel | twice as heavy: {heavy:.0f} mm/s, {heavy_letter}; three times: {heavier:.0f} mm/s, {heavier_letter}; so that the flanks never part: {gamma_1:.0f} times, no remedy |
 | a scissor gear in every mesh | closed with {T_1:.1f}, {T_2:.1f} and {T_3:.1f} N·m; in the last mesh alone, with 5.5 N·m, {one:.0f} mm/s are left of the others, and it costs {loss:.0f} W at rated speed |
 | a resin rim | speed and grade stay; the force falls to about a quarter (5 GPa on steel: −12.6 dB; a maker prints about −15). Its strength is not rated here |
-| one idler less | its backlash is gone from the sum |
+| two idlers less on the way to a shaft: one alone would turn it the other way | their backlash is gone from the sum |
 | the other end of the crank | with `[engine.crank_twist]`: the nose swings otherwise than the flywheel |
 | a lighter shaft | Γ falls, the grade hardly: forces go with the root of the mass |
 | more drag | none: {gamma_3:.0f} times today's, all of it lost, would close the flanks |

@@ -22,7 +22,7 @@ from ...sheet.functions import cos, inv, sin
 from ...sheet.quantity import described, dotted
 from ...sheet.record import record, replace
 from ...sheet.remedy import Change, Remedy, change, digits, remedy, whole
-from ...sheet.text import Amount, Text
+from ...sheet.text import Amount, Text, listed
 from ...sheet.units import Metre, MetrePerSecond, Number
 from ...sheet.value import untraced
 from .. import formulas as f
@@ -521,18 +521,30 @@ def by_other_end(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
 # what no key does
 
 
-def in_words(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
-    """One idler less, and a lighter train."""
+def without_idlers(shop: Workshop) -> Iterator[tuple[int, ...]]:
+    """One or two meshes that part, by whose driven wheels the train may be shorter and no shaft turns the other way:
+    every wheel less between two meshes turns the sense of all behind it."""
     line, shafts = shop.now.line, {turn.wheel for turn in shop.train.shafts.values()}
-    for i in shop.parting:
-        wheel = line.links[i].driven
-        if wheel in shafts or i not in line.parent:
-            continue
-        of = shop.with_less([float(line.play["most"][k]) if k == i else 0.0 for k in range(len(line.links))])
+    behind = {i: [link for link, parent in zip(line.links, line.parent) if parent == i] for i in shop.parting}
+    idlers = [
+        i
+        for i, driven in behind.items()
+        if driven and all(link.toothed for link in driven) and line.links[i].driven not in shafts
+    ]
+    ways = [set(line.path(i)) for i, link in enumerate(line.links) if link.driven in shafts]
+    for fewer in (few for n in (1, 2) for few in combinations(idlers, n)):
+        if all(len(way.intersection(fewer)) % 2 == 0 for way in ways):
+            yield fewer
+
+
+def in_words(shop: Workshop, goal: Goal) -> Iterator[Remedy]:
+    """Fewer idlers, and a lighter train."""
+    line = shop.now.line
+    for fewer in without_idlers(shop):
+        of = shop.with_less([float(line.play["most"][k]) if k in fewer else 0.0 for k in range(len(line.links))])
         if goal.reached(of):
-            yield Remedy(
-                (), goal.effect(of), Text("a train without {idler} ({effect})", idler=wheel, effect=goal.effect(of))
-            )
+            names, effect = listed([line.links[i].driven for i in fewer]), goal.effect(of)
+            yield Remedy((), effect, Text("a train without {idler} ({effect})", idler=names, effect=effect))
     if 1 < (Gamma := shop.separation) < math.inf and not any(shop.drive.drive.line.gravity):
         effect = Text("closed flanks at idle; before that the grade hardly moves")
         words = Text(

@@ -6,13 +6,24 @@ from itertools import islice
 
 import pytest
 
-from calc.design.toml_file import design
-from calc.gears.drive.remedies import Quiet, Workshop, by_other_end, in_words, notes, quiet_remedies, strong_remedies
+from calc.design.toml_file import design, read
+from calc.gears.drive.remedies import (
+    Quiet,
+    Workshop,
+    by_other_end,
+    in_words,
+    notes,
+    quiet_remedies,
+    strong_remedies,
+    without_idlers,
+)
 from calc.gears.drive.remedies import Strong as Strength
+from calc.gears.tree import Tree
 from calc.sheet.deferred import Later
 from calc.solve import solve
 from calc.studies.repair.options import search
 from tests.calc.gears.drive.conftest import changed
+from tests.conftest import DESIGNS
 
 # the shifts written down, and centres so far apart that the train has 380 µm more of backlash; hardly any tolerance
 WIDE = {
@@ -118,16 +129,28 @@ def test_the_other_end_of_the_crank(light):
 
 
 def test_what_no_key_does(light):
-    """An idler less is its backlash less; the train would have to be lighter by Γ."""
+    """Both idlers less are their backlash less, and one alone would turn the shaft the other way; the train would have
+    to be lighter by Γ."""
     shop = shop_of(light[1])
-    words = [str(way.words) for way in in_words(shop, Quiet(shop, 92e-3))]
-    less = [
-        shop.hardest(shop.with_less([float(shop.now.line.play["nominal"][i]) if i == k else 0.0 for i in range(3)]))
-        for k in (0, 1)
-    ]
-    for idler, u in zip(("central", "idler"), less):
-        assert (f"without {idler} (grade C, {u * 1e3:.0f} mm/s)" in " ".join(words)) is (u <= 92e-3)
+    play = [float(j) for j in shop.now.line.play["most"]]
+    u = shop.hardest(shop.with_less([play[0], play[1], 0.0]))
+    words = [str(way.words) for way in in_words(shop, Quiet(shop, u))]
+    assert [text.partition(" (")[0] for text in words if "without" in text] == ["a train without central and idler"]
+    assert f", {u * 1e3:.0f} mm/s)" in words[0]
     assert f"{100 / shop.separation:.0f} % of the masses" in words[-1]
+    assert not any("without" in way.words for way in in_words(shop, Quiet(shop, u * 0.99)))
+
+
+def test_fewer_idlers_keep_the_sense_of_every_shaft():
+    """The balance shafts: one idler less on the way to `right` and both shafts would turn the same way."""
+    results = solve(design(read(DESIGNS / "r754ie4_balance_shafts.toml")), compared=False)
+    shop = shop_of(results)
+    idlers = {mesh.partition("–")[2]: i for i in shop.parting if (mesh := shop.title(i))}
+    assert set(without_idlers(shop)) == {(idlers["right-first"], idlers["right-second"])}
+    tree = results.train.tree
+    shorter = [link for link in tree.links if link.driven not in ("right-first", "right-second")]
+    kept = Tree(tuple(replace(link, driver="crank") if link.driven == "right" else link for link in shorter))
+    assert (kept.senses["left"], kept.senses["right"]) == (1, -1) == (tree.senses["left"], tree.senses["right"])
 
 
 def test_resin_and_drag_are_said_beside(over_speed):
