@@ -242,8 +242,8 @@ ENVELOPE_LENGTH = CheckRule(
 BETWEEN = CheckRule(
     "countershaft.between",
     "limit",
-    "The sectors run into an inner bearing, or leave no room for the fillet beside it.",
-    Text("Room between the sectors and an inner bearing"),
+    "The sectors run into a bearing, or leave no room for the fillet beside it.",
+    Text("Room between the sectors and a bearing"),
     unit="mm",
     source=Text("geometry: one fillet beside the journal, and half of gap_mm from its middle where that is given"),
     advice=Text("Shorter sectors."),
@@ -370,16 +370,20 @@ def _envelope_checks(
 
 
 def _between_check(shaft: ShaftInputs, shaft_result: CountershaftResult, journals: Journals) -> Iterator[Check]:
-    """Whether the sectors keep away from the inner bearings.  A sector at a bearing is its journal, with a recess."""
-    if shaft_result.outline is not None:
-        faces = [(p.start, p.end) for p in shaft_result.outline.pieces if p.half_angle is not None]
+    """Whether the sectors keep away from the inner bearings, given ones from the outer ones too: of others
+    `ENVELOPE_LENGTH` has the ends, or their places are no more than assumed.  A sector at a bearing is its journal,
+    with a recess; rings of a rolling one may stand against it."""
+    outline, supports = shaft_result.outline, list(zip(shaft.bearings, journals))
+    if outline is not None:
+        faces = [(p.start, p.end) for p in outline.pieces if p.half_angle is not None]
     else:
         sectors = shaft_result.sector.values() if shaft_result.sector is not None else ()
         faces = [(one.z - one.length / 2, one.z + one.length / 2) for one in sectors]
     gap, rooms = shaft.gap or 0.0, []
-    for row, (_, l) in list(zip(shaft.bearings, journals))[1:-1]:
+    for row, (_, l) in supports if outline is not None and not outline.derived else supports[1:-1]:
         ways = [a - row.position if a >= row.position else row.position - b for a, b in faces]
-        needed = max(shaft.fillet_radius or 0.0, (gap - l) / 2)
+        inner, fillet = row not in (shaft.bearings[0], shaft.bearings[-1]), shaft.fillet_radius or 0.0
+        needed = max(fillet if inner or row.kind == "plain" else 0.0, (gap - l) / 2 if inner else 0.0)
         rooms += [(way - l / 2, needed, l, row) for way, (a, b) in zip(ways, faces) if not a < row.position < b]
     if rooms:
         room, needed, length, row = min(rooms, key=lambda one: one[0] - one[1])

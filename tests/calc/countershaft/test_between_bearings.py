@@ -18,12 +18,12 @@ from calc.countershaft.insertion import Opening, Passing, room
 from calc.countershaft.sizing.shares import share_of
 from calc.countershaft.solve import solve as solve_shaft
 from calc.design.step_inputs import sized_alike
-from calc.design.toml_file import Document, design
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 from calc.studies.drawings import shafts as drawn
 from calc.studies.drawings import sheets
-from tests.conftest import ROOT
+from tests.conftest import DESIGNS, ROOT
 
 GIVEN = json.loads((ROOT / "tests" / "data" / "shafts.json").read_text(encoding="utf-8"))
 CASES = GIVEN["parameters"]["sizing"]
@@ -393,6 +393,19 @@ def test_given_sectors_keep_one_fillet_from_an_inner_bearing():
     asked = check(outcome(**keys, gap_mm=80.0), "between")
     assert (asked.limit, asked.value, asked.verdict) == (30.0, plain.value, "fail")
     assert check(outcome((-100.0, 100.0), **keys), "between") is None
+
+
+@pytest.mark.parametrize("face, verdict", [(100.0, "pass"), (100.1, "fail"), (102.0, "fail")])
+def test_given_sections_keep_one_fillet_from_the_outer_bearings_too(face, verdict):
+    """The shipped balance shafts, whose outer journals reach from 101.5 mm outwards, with longer sectors."""
+    longer = read(DESIGNS / "r754ie4_balance_shafts.toml")
+    for key in ("3.to_mm", "4.from_mm"):
+        longer = longer.with_value(f"shafts.left.sections.{key}", face)
+    room = check(
+        solve(design(longer), enough=lambda of: of.key == "countershaft").outcomes["countershaft"], "left.between"
+    )
+    assert (room.limit, room.verdict) == (1.5, verdict)
+    assert room.value == pytest.approx(101.5 - face) and ("rear" in room.name or face == 100.0)
 
 
 # --- several shafts beside the crank

@@ -72,7 +72,7 @@ def envelope(room, clearance=0.2 * mm, **outline):
     seats = ((59 * mm, 24 * mm), (2 * (R + room), 26 * mm))
     shaft = {"bearings": bearing_rows((-0.17, 0.17), seats), "radial_clearance": clearance, "outer_radius": R}
     wide = replace(pieces[0], outer_radius=R - 1 * mm)
-    shape = SimpleNamespace(pieces=(wide, *pieces[1:]))
+    shape = SimpleNamespace(pieces=(wide, *pieces[1:]), derived=True)
     return step("envelope", shaft, journals=seats, outline=shape)
 
 
@@ -97,7 +97,7 @@ def between(room, fillet=1.5 * mm, gap=None):
     seats = ((59 * mm, 24 * mm), (30 * mm, 17 * mm - 2 * room), (65 * mm, 26 * mm))
     bearings = bearing_rows((-0.17, 1.5 * mm, 0.17), seats)
     shaft = {"bearings": bearings, "fillet_radius": fillet, "gap": gap}
-    return step("between", shaft, journals=seats, outline=SimpleNamespace(pieces=OPPOSED))
+    return step("between", shaft, journals=seats, outline=SimpleNamespace(pieces=OPPOSED, derived=True))
 
 
 def shafts_clear(distance):
@@ -751,7 +751,7 @@ def test_how_it_would_fit():
     assert checks["envelope"].remedies[0].changes == (("shafts.S.outer_radius_mm", pytest.approx(32.3)),)
     assert checks["envelope_length"].remedies[0].changes == (("shafts.S.half_length_mm", pytest.approx(157.0)),)
     # sections are as wide as they are given
-    wide = SimpleNamespace(pieces=(replace(OPPOSED[0], outer_radius=34 * mm),))
+    wide = SimpleNamespace(pieces=(replace(OPPOSED[0], outer_radius=34 * mm),), derived=True)
     check = judged(SIZED | {"radial_clearance": 0.2 * mm}, outline=wide)["envelope"]
     assert check.verdict == "fail" and not check.remedies
     (smaller,) = fillet_room(2.6).remedies
