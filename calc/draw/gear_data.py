@@ -38,15 +38,31 @@ def gear_rows(results: "Results", wheel: "WheelResult", say: Say) -> Rows:
     if (friction := results.design.friction) is not None and (Ra := _flanks(friction, train, wheel.name)) is not None:
         rows.append((Text("Roughness of the flanks"), roughness(Ra)))
     rows += _strength(train, wheel.name)
-    if wheel is shaft_wheel(results) and (tooth := tooth_angle(train, wheel.name)) is not None:
-        words, shaft = degrees(tooth % (2 * math.pi), TURNED), results.design.countershaft
-        if shaft is not None and shaft.scatter is not None and shaft.scatter.timing:
-            late = degrees(defaults.SIGMAS * shaft.scatter.timing, TURNED)
-            words = Text("{angle} ±{late}", angle=words, late=late)
-        rows.append((Text("A tooth at, cylinder 1 at TDC"), words))
+    if wheel is shaft_wheel(results):
+        rows += _where_teeth_stand(results, train, wheel)
     if (relief := gears.tip_relief) is not None:
         rows.append((Text("Tip relief"), _microns(relief)))
     return [(say(label), say(value)) for label, value in rows]
+
+
+def _where_teeth_stand(results: "Results", train: "TrainResult", wheel: "WheelResult") -> Iterator[tuple[Text, Text]]:
+    """Of the shaft that is drawn, and of each of its twins: a mirror image has its masses mirrored, and its teeth where
+    the way of the power to it leaves them."""
+    shaft, late = results.design.countershaft, None
+    if shaft is not None and shaft.scatter is not None and shaft.scatter.timing:
+        late = degrees(defaults.SIGMAS * shaft.scatter.timing, TURNED)
+
+    def stands(tooth: Radian) -> Text:
+        angle = degrees(tooth % (2 * math.pi), TURNED)
+        return angle if late is None else Text("{angle} ±{late}", angle=angle, late=late)
+
+    if (tooth := tooth_angle(train, wheel.name)) is not None:
+        yield Text("A tooth at, cylinder 1 at TDC"), stands(tooth)
+    for twin in results.design.resolved:
+        if shaft is None or twin.of != shaft.name or (turn := train.shafts.get(twin.name)) is None:
+            continue
+        if (tooth := tooth_angle(train, turn.wheel)) is not None:
+            yield Text("A tooth of {name} at, cylinder 1 at TDC", name=Name(twin.name)), stands(tooth)
 
 
 def tooth_angle(train: "TrainResult", wheel: str) -> Radian | None:

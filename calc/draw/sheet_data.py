@@ -83,6 +83,13 @@ def notes(
         "the sense of crank rotation.",
         angle=degrees(up % (2 * math.pi)),
     )
+    for twin in results.design.resolved:
+        if twin.how == "mirrors" and twin.of == shaft.name:
+            yield Text(
+                "The masses of {name}, the mirror image, stand at minus the angles in the table; its teeth do not: the "
+                "gear data have theirs.",
+                name=Name(twin.name),
+            )
     if solved.outline is not None and solved.outline.derived:
         yield Text("Sectors follow from the eccentric masses; shoulders are put together from the design.")
     if shaft.bore_diameter:

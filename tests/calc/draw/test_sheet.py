@@ -334,6 +334,18 @@ def test_what_the_grade_permits_the_teeth_and_where_a_tooth_stands_are_in_the_ta
     assert said[at + 1 : at + 5] == ["0.03", "0.15", "0.3°", "0.3"]
 
 
+def test_a_tooth_of_the_mirror_image_stands_where_its_own_way_leaves_it():
+    """The wheel of `right`, behind two wheels, is no mirror image of that of `left`, behind one."""
+    results = solve(design(read(DESIGNS / "r754ie4_balance_shafts.toml")), compared=False)
+    said = [words.text for words in letters(shaft_sheet(results.views["left"]))]
+    beside, laid = dict(pairwise(said)), results.train.layout.wheels
+    for label, wheel in (("A tooth at", "left"), ("A tooth of right at", "right")):
+        angle = math.degrees(laid[wheel].tooth_angle) % 360
+        assert beside[f"{label}, cylinder 1 at TDC"] == f"{angle:.2f}".rstrip("0") + "°"
+    assert (laid["left"].tooth_angle + laid["right"].tooth_angle) % math.radians(15) > math.radians(0.5)
+    assert "The masses of right, the mirror image, stand at minus the angles in the table" in " ".join(said)
+
+
 def test_journals_are_datums_and_what_turns_with_them_runs_true_about_both(sheet):
     """A quarter and half of IT7, 30 µm to 80 mm and 35 µm to 120 mm, in whole micrometres downwards."""
     said = [words.text for words in letters(sheet)]
