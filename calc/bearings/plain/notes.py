@@ -203,6 +203,16 @@ def _on_shaft(results: Mapping[str, PlainResult], shaft: CountershaftResult | No
             "journal straighter, and the rotary inertia of the shaft's sections. The film at the edge is that of the "
             "slope on pins; the one with the tilt stands beside it."
         )
+    for place, r in results.items():
+        edge = r.on_shaft.film_edge_tilted if r.on_shaft is not None else None
+        if r.seat.bearing.slope is not None and edge is not None and edge < r.kreisle_film:
+            yield Text(
+                "{place} bearing: the slope that is given is judged, not the tilt; with that the film at the edge is "
+                "{edge}, less than the {least} that it needs. Leave slope_mrad out and it is judged.",
+                place=titled(place),
+                edge=Amount(edge * 1e6, "µm"),
+                least=Amount(r.kreisle_film * 1e6, "µm"),
+            )
     if len(results) == 2 or shaft is None:
         return
     if any(r.on_shaft is not None for r in results.values()):

@@ -425,6 +425,16 @@ def test_a_slope_that_is_given_is_not_judged_by_the_tilt(gamma_results, three):
     assert "bearings.front.film_edge_tilted" in {c.id for c in three.checks()}
 
 
+def test_what_the_tilt_would_leave_beside_a_slope_that_is_given_is_said(gamma_results, three):
+    """Both edges of gamma are below the 9 µm that they need once the journals tilt in their films."""
+    told = [
+        str(note) for note in gamma_results.outcomes["bearings"].notes if "the slope that is given is judged" in note
+    ]
+    edges = [row.on_shaft.film_edge_tilted * 1e6 for row in rows_of(gamma_results).values()]
+    assert len(told) == 2 and all(f"{edge:.3f} µm, less than the 9 µm" in note for edge, note in zip(edges, told))
+    assert not any("the slope that is given" in note for note in three.outcomes["bearings"].notes)
+
+
 @pytest.mark.parametrize("part, verdict", [(0.499, "pass"), (0.501, "note")])
 def test_standing_share(three, part, verdict):
     row = rows_of(three)["front"]
