@@ -4,7 +4,7 @@
 from collections.abc import Iterator
 
 from ..library.catalogue import Material
-from ..sheet.text import Text
+from ..sheet.text import Amount, Text
 from .bending.shaft import Bending
 from .inputs import ShaftInputs
 from .outline import Journals
@@ -49,6 +49,18 @@ def outline_note(sized: bool, gear: bool) -> Text:
         "The outline is put together: each eccentric mass as a sector of its mass, centre of gravity and place, "
         "the core, the journals{text}; the true shape may be given as [[shafts.sections]].",
         text=text,
+    )
+
+
+def tight_fillet_note(bent: Bending) -> Text | None:
+    """That a fillet has no room between shoulders whose places are assumed, which no check holds against the shaft."""
+    if bent.fillet is None or bent.fillet_room is None or bent.fillet_room >= bent.fillet:
+        return None
+    return Text(
+        "The outline as put together leaves {room} for each fillet where two shoulders are nearest, less than the "
+        "{fillet} of fillet_radius_mm: not judged, since their places are assumed; give [[shafts.sections]].",
+        room=Amount(bent.fillet_room * 1e3, "mm", digits=2),
+        fillet=Amount(bent.fillet * 1e3, "mm"),
     )
 
 

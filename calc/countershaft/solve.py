@@ -43,7 +43,7 @@ from .inputs import EccentricMass, ShaftInputs
 from .insertion import rooms
 from .making.drain import DrainResult, run_off_check
 from .making.parts import ShaftStep, making
-from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
+from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note, tight_fillet_note
 from .outline import Journals, NoOutline, Outline, outer_face
 from .result import CountershaftResult, SupportResult
 from .sizing.choices import front_curve, named
@@ -239,6 +239,8 @@ def _with_outline(
     bent = bending(outline, steel, omega, positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
     step.checks += [c for c in bending_checks(bent, steel, fastest) if certain or c.rule is not FILLET_ROOM]
     step.notes += bending_notes(bent, steel)
+    if not certain and (tight := tight_fillet_note(bent)) is not None:
+        step.notes.append(tight)
     return replace(
         result,
         bending=bent,

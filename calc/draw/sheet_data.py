@@ -111,6 +111,13 @@ def notes(
             "place, no radius of it smaller, goes into the face alone.",
             radius=millimetres(shaft.fillet_radius),
         )
+        room = solved.bending.fillet_room if solved.bending is not None else None
+        if room is not None and room < shaft.fillet_radius:
+            yield Text(
+                "Two shoulders as drawn leave {room} for each fillet between them: their places are to be settled "
+                "first.",
+                room=millimetres(room, 2),
+            )
     yield Text("Centre holes (ISO 6411) may remain at both ends.")
     if (bearings := results.design.bearings) is not None and (clearances := _clearances(results)):
         yield Text(

@@ -313,6 +313,10 @@ def test_the_tables_give_teeth_balancing_and_masses(sheet, gamma_results):
     assert "2.691" in said and "210°" in said and "−77.67" in said
 
 
+def test_a_fillet_that_two_shoulders_leave_no_room_for_is_said(sheet):
+    assert "Two shoulders as drawn leave 0.2 for each fillet" in " ".join(words.text for words in letters(sheet))
+
+
 def test_what_the_grade_permits_the_teeth_and_where_a_tooth_stands_are_in_the_table():
     """Grade 7, m_n 2, d 53.895, b 15 mm, by the formulas of ISO 1328-1:2013 and (runout) ISO 1328-2:1997."""
     said = [words.text for words in letters(shaft_sheet(solve(design(read(DESIGNS / "r753ie4_sized.toml")))))]
