@@ -14,6 +14,7 @@ from ..countershaft.rows import SHAFT
 from ..engine.inputs import EngineInputs
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import dotted
+from ..sheet.record import record
 from ..sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ..sheet.value import based_on
 from .body import BOX, DOFS
@@ -127,30 +128,56 @@ def _exposure(result: MountingResult, part: str) -> float:
     return day[part].number if part in day else math.nan
 
 
-def severity_checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Check]:
+@record
+class Severity:
+    """What is judged at a point of the engine, as a share of its limit: of the set the worst of displacement, velocity
+    and acceleration.  `shown`: what that is and what is allowed."""
+
+    operation: str
+    point: str
+    value: float
+    limit: float
+    value_id: str
+    source: Text
+    shown: tuple[Amount, Amount]
+
+
+GRADE = Text("ISO 10816-6:1995, zone A/B of the class (from memory)")
+OF_SET = Text("ISO 8528-9:1995 as reprinted by Lloyd's Register: the largest of three over its limit")
+
+
+def severities(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Severity]:
+    """At each operation and point of the machine; none where no standard judges the engine, or no class is given."""
     judged = scope(
         mounting.application, mounting.power or engine.rated_power, engine.rated_speed, mounting.machine_class
     )
     machine = [point.name for point in mounting.points if point.on == "engine" and point.role == "machine"]
     for name, point in product(result.speeds, machine):
         place = f"{name}.{result.own}.{point}"
-        value_id, limit = "", 1.0
         if judged.iso_10816 and mounting.machine_class is not None:
-            value_id, limit = f"mounting.{place}.grade", zone_limit(mounting.machine_class)
-            value = result.leaf(f"{place}.grade")
-            source = Text("ISO 10816-6:1995, zone A/B of the class (from memory)")
+            limit, grade = zone_limit(mounting.machine_class), _or_nan(result.leaf(f"{place}.grade"))
+            shown = Amount(grade), Amount(limit)
+            yield Severity(name, point, grade, limit, f"mounting.{place}.grade", GRADE, shown)
         elif judged.iso_8528:
             t = table()["generating_set"]
-            limits = t["displacement_mm"] * 1e-3, t["velocity_mm_s"] * 1e-3, t["acceleration_m_s2"]
-            sizes = [result.leaf(f"{place}.{kind}") for kind in ("displacement", "velocity", "acceleration")]
-            shares = [size / limit for size, limit in zip(sizes, limits) if size is not None]
-            value = max(shares) if len(shares) == len(sizes) else None
-            source = Text("ISO 8528-9:1995 as reprinted by Lloyd's Register: the largest of three over its limit")
-        else:
-            return
-        label = Text("Severity at {point}, {name}", point=Name(point), name=Name(name))
-        level = _or_nan(value)
-        yield SEVERITY(level, limit, at=(name, point), name=label, source=source, value_id=value_id)
+            of_three = [
+                (_or_nan(result.leaf(f"{place}.{kind}")) / part, limit, unit)
+                for kind, limit, unit, part in (
+                    ("displacement", t["displacement_mm"], "mm", 1e-3),
+                    ("velocity", t["velocity_mm_s"], "mm/s", 1e-3),
+                    ("acceleration", t["acceleration_m_s2"], "m/s²", 1.0),
+                )
+            ]
+            size, limit, unit = max(of_three, key=lambda one: _resonance_last(one[0] / one[1]))
+            shown = Amount(size, unit), Amount(limit, unit)
+            yield Severity(name, point, size / limit, 1.0, "", OF_SET, shown)
+
+
+def severity_checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Check]:
+    for one in severities(mounting, engine, result):
+        label = Text("Severity at {point}, {name}", point=Name(one.point), name=Name(one.operation))
+        at = (one.operation, one.point)
+        yield SEVERITY(one.value, one.limit, at=at, name=label, source=one.source, value_id=one.value_id)
 
 
 def _or_nan(level: float | None) -> float:

@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """What leads every result of the mounts: what the shaft takes and what it leaves; and what all of it rests on."""
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
 
 from ..engine.inputs import EngineInputs
 from ..sheet.arrays import Array
-from ..sheet.text import EMPTY, Amount, Name, Text
+from ..sheet.text import EMPTY, Amount, Name, Small, Text
 from .body import radius_of_gyration
+from .checks import EXPOSED, GRADE, OF_SET, severities
 from .inputs import MountingInputs
 from .levels import NONE_BELOW
 from .modal import NOTICED
 from .result import MountingResult
-from .standards import scope
+from .standards import scope, table
 from .statics import preload
 from .wrenches import ShaftOnEngine
 
@@ -94,11 +96,54 @@ def _worse_here(result: MountingResult) -> Text:
     return Text(" Here the shaft makes it worse.") if one else Text(" Here the shafts make it worse.")
 
 
-def _strengths(result: MountingResult, *, of_masses: bool = False) -> Array:
-    """At the first operation."""
+def _strengths(result: MountingResult, operation: int = 0, *, of_masses: bool = False) -> Array:
+    """At an operation by its place, the first unless said."""
     M = result.stiffness[1]
-    wrench = None if of_masses else np.asarray(result.levels.wrench)[0]
+    wrench = None if of_masses else np.asarray(result.levels.wrench)[operation]
     return result.drive.strengths(wrench, radius_of_gyration(float(M[0, 0]), M[3:, 3:]))
+
+
+def loads(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Text]:
+    """What a person decides by: what drives the engine where its mounts pass on most, and what that comes to, at the
+    machine by what severity is judged by, at the foremost seat, and over a day."""
+    names = list(result.speeds)
+    name = max(names, key=lambda name: result.leaf(f"{name}.{result.own}.force_sum") or math.inf)
+    order = result.drive.orders[_strengths(result, names.index(name)).argmax()]
+    passed_on = result.leaf(f"{name}.{result.own}.force_sum")
+    speed = Amount(float(result.speeds[name][0]) * 60, "rpm")
+    yield Text(
+        "at {name}, {speed}, order {order} drives most; the mounts pass on {force}, rms",
+        name=Name(name),
+        speed=speed,
+        order=Amount(float(order)),
+        force=Amount(math.nan if passed_on is None else passed_on, "N"),
+    )
+    if found := [*severities(mounting, engine, result)]:
+        worst = max(found, key=lambda one: math.inf if math.isnan(one.value) else one.value)
+        yield Text(
+            "severity at {point}, {name}: {value}, at most {limit} ({source})",
+            point=Name(worst.point),
+            name=Name(worst.operation),
+            value=worst.shown[0],
+            limit=worst.shown[1],
+            source=STANDARDS[worst.source],
+        )
+    if (seat := mounting.seat) is not None:
+        felt = {name: result.leaf(f"{name}.{result.own}.{seat.name}.weighted") for name in names}
+        name = max(names, key=lambda name: felt[name] or 0.0)
+        if (a := felt[name]) is not None:
+            yield Text("at {seat}, {name}: {value}, weighted", seat=Name(seat.name), name=Name(name), value=_a(a))
+    for part, words in EXPOSED.items():
+        if (day := ((result.exposure or {}).get(result.own) or {}).get(part)) is not None:
+            limit = table()["exposure"][f"{part}_limit"]
+            yield Text("{words} {value}, at most {limit}", words=Small(words), value=_a(day.number), limit=_a(limit))
+
+
+STANDARDS = {GRADE: Text("ISO 10816-6"), OF_SET: Text("ISO 8528-9")}
+
+
+def _a(acceleration: float) -> Amount:
+    return Amount(acceleration, "m/s²")
 
 
 def notes(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Text]:

@@ -21,6 +21,8 @@ from . import standards
 from .inputs import VARIANT_WORDS, MountingInputs
 from .levels import Levels
 from .result import (
+    FeltLevel,
+    MachineLevel,
     MountingResult,
     MountLevel,
     Nested,
@@ -57,7 +59,8 @@ def operations(
     _torque(tree, driven, rows, torque, there)
     for p, point in enumerate(points):
         felt = _felt(driven, lines, point.name, there) if point.role != "machine" else None
-        levels = _points(driven, lines, p, point.name, felt)
+        own = FeltLevel if felt is not None else MachineLevel if point.on == "engine" else PointLevel
+        levels = _points(driven, lines, p, point.name, felt, own)
         for (name, _, _), of_operation in zip(rows, levels):
             for variant, level in zip(driven.variants, of_operation):
                 tree[name].setdefault(variant, {})[point.name] = level
@@ -85,9 +88,9 @@ def _torque(
 
 
 def _points(
-    driven: EngineWrenches, lines: Levels, point: int, name: str, felt: "Felt | None"
+    driven: EngineWrenches, lines: Levels, point: int, name: str, felt: "Felt | None", own: type[PointLevel]
 ) -> list[list[PointLevel]]:
-    """The levels at a point (operations, variants)."""
+    """The levels at a point (operations, variants).  `own`: what they are of the design's own variant."""
     numbers, source = [], (lines.source, lines.places[name])
     banded = np.sqrt((np.abs(np.where(lines.band, lines.motion, 0.0)[:, :, point]) ** 2).sum(-1) / 2)
     for k, (of_axis, of_all) in enumerate(l.KINDS):
@@ -99,7 +102,8 @@ def _points(
 
     def level(i: int, v: int) -> PointLevel:
         by_name = dict(zip(SHOWN, map(there, (x[i][v] for x in numbers))))
-        return PointLevel(**by_name, orders=felt.orders(i, v) if felt is not None else None)
+        kind = own if driven.variants[v] == driven.own else PointLevel
+        return kind(**by_name, orders=felt.orders(i, v) if felt is not None else None)
 
     return [[level(i, v) for v in range(len(driven.variants))] for i in range(len(lines.speeds))]
 

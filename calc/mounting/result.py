@@ -133,6 +133,22 @@ class PointLevel:
 
 
 @result
+class MachineLevel(PointLevel):
+    """At a point of the machine, with what the design has: what its severity is judged by."""
+
+    velocity: MetrePerSecond | None = value("Velocity, rms", "mm/s", "v", default=None, short=True, page_one=3)
+
+
+@result
+class FeltLevel(PointLevel):
+    """At a seat or a hand, with what the design has."""
+
+    weighted: MetrePerSecond2 | None = value(
+        "Weighted acceleration, rms", "m/s²", "a_w", default=None, short=True, page_one=4
+    )
+
+
+@result
 class MountLevel:
     """A mount, all orders together."""
 

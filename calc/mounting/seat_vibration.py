@@ -126,7 +126,8 @@ def exposure(mounting: MountingInputs, result: MountingResult) -> Tree | None:
         for role, id, words in (("seat", "whole_body", WHOLE_BODY), ("hand", "hand_arm", HAND_ARM)):
             days = [_day(result, point.name, role, v, which, given) for point in mounting.points if point.role == role]
             if days:
-                put(tree, (variant, id), described(words, "m/s²", "A(8)"), max(days))
+                line = 5 if variant == result.own else 0
+                put(tree, (variant, id), described(words, "m/s²", "A(8)", page_one=line), max(days))
     return tree or None
 
 

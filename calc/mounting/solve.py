@@ -86,7 +86,7 @@ def values(mounting: MountingInputs, driven: EngineWrenches, J: Array) -> Mounti
         teeth={},
         felt_order_1=felt_order_1(driven),
         range=course_values(over_speed),
-        own="shaft" if "shaft" in driven.variants else "half",
+        own=driven.own,
         speeds={name: (speed, hours) for name, speed, hours in rows},
         mode_data=m.found,
         stiffness=(m.K, m.M),

@@ -133,6 +133,11 @@ class EngineWrenches:
         of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed, speeds)
         return all_cylinders(t_one=gas, t_inertia=of_masses, spread=self.spread, fires=self.fires, n=self.orders)
 
+    @property
+    def own(self) -> str:
+        """The design's own variant."""
+        return "shaft" if "shaft" in self.variants else "half"
+
     def strengths(self, wrench: ComplexArray | None, rho: float) -> Array:
         """How strong each order is with half on the crank, of a wrench (orders, variants, 6); None: of the masses
         alone, without torque.

@@ -8,6 +8,7 @@ from math import degrees
 from ..countershaft.rows import called
 from ..design.model import TITLES, Design
 from ..engine.formulas import stroke
+from ..mounting.standards import Scope, scope
 from ..sheet.quantity import dotted
 from ..sheet.record import record
 from ..sheet.text import COMMA, SEMICOLON, Amount, Name, Text, plural
@@ -129,7 +130,26 @@ class Influence:
     given: Callable[[Design], bool] | None = None
 
 
+def _scope(design: Design) -> Scope | None:
+    engine, given = design.engine, design.mounting
+    if engine is None or given is None:
+        return None
+    return scope(given.application, given.power or engine.rated_power, engine.rated_speed, given.machine_class)
+
+
+def _classed(design: Design) -> bool:
+    """Whether the class of the machine is given, or no standard asks for it."""
+    judged, given = _scope(design), design.mounting
+    return judged is None or given is None or not judged.iso_10816 or given.machine_class is not None
+
+
+def _severity_judged(design: Design) -> bool:
+    judged = _scope(design)
+    return judged is None or judged.iso_10816 or judged.iso_8528
+
+
 BEARINGS, SHAFT, GEARS = dotted(Design.bearings), "countershaft", dotted(Design.gears)
+MOUNTING = dotted(Design.mounting)
 INFLUENCES = (
     Influence(BEARINGS, Text("alignment of the bores")),
     Influence(BEARINGS, Text("distortion of the housing")),
@@ -141,6 +161,13 @@ INFLUENCES = (
     Influence(SHAFT, Text("torsion of the shaft")),
     Influence(GEARS, Text("slope of the shaft at its wheel"), _slopes_given),
     Influence(GEARS, Text("wear of the teeth")),
+    Influence(MOUNTING, Text("severity by ISO 10816-6, for which the class of the machine is to be given"), _classed),
+    Influence(MOUNTING, Text("severity of the vibration, for which no standard has limits here"), _severity_judged),
+    Influence(MOUNTING, Text("bending of engine and frame")),
+    Influence(MOUNTING, Text("rubber that softens with amplitude (Payne effect)")),
+    Influence(MOUNTING, Text("start and stop, which sweep through the modes")),
+    Influence(MOUNTING, Text("valve gear, fan and fuel pump")),
+    Influence(MOUNTING, Text("couple of the rods, whip of the crank, gyroscopic couple")),
 )
 
 

@@ -8,6 +8,8 @@ from ..bearings.result import BearingsResult
 from ..countershaft.rows import called
 from ..design.model import TITLES
 from ..gears.rating.result import MeshRating
+from ..mounting.notes import loads
+from ..mounting.result import MountingResult
 from ..sheet.text import COMMA, SEMICOLON, Amount, Text
 from ..solve import Results
 from .described import of_shaft
@@ -29,6 +31,9 @@ def load_cases(results: Results) -> Iterator[tuple[Text, Text]]:
         yield TITLES["bearings"], SEMICOLON.join([carried, *_oil(results)])
     if teeth := SEMICOLON.join(_teeth(results)):
         yield TITLES["gears"], teeth
+    mounts, engine = results.result(MountingResult), design.engine
+    if design.mounting is not None and engine is not None and mounts is not None:
+        yield TITLES["mounting"], SEMICOLON.join(loads(design.mounting, engine, mounts))
 
 
 def _turning(view: Results) -> Iterator[Text]:

@@ -215,7 +215,7 @@ def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
     for value in key_results(context.values).values():
         struck = strikes.get(value.symbol)
         name = context.say(value.label if struck is None else struck.label)
-        whose = " ".join(context.belongs(value.id if struck is None else struck.high.id))
+        whose = ", ".join(context.belongs(value.id if struck is None else struck.high.id))
         name = f"{name}, {whose}" if whose and not knows(name, whose) else name
         rows.append(
             (

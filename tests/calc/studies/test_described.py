@@ -3,13 +3,16 @@ number."""
 
 import pytest
 
+from calc.design.key_results import key_results
 from calc.design.toml_file import Document, design, read
 from calc.draw.drawing import Dimension
 from calc.engine.sketch import sketch
 from calc.locale import language
 from calc.solve import solve
 from calc.studies.described import described, not_counted
+from calc.studies.load_cases import load_cases
 from calc.studies.shipped import EXAMPLE
+from tests.conftest import DESIGNS
 
 ENGINE = {
     "name": "one",
@@ -63,3 +66,26 @@ def test_what_is_not_counted_is_of_the_steps_that_are_asked_and_leaves_with_its_
     for n in range(len(example.data["gears"]["meshes"])):
         whole = whole.with_value(f"gears.meshes.{n}.shaft_deflection_um", 1.0)
     assert set(every) - set(not_counted(design(whole))) == {"slope of the shaft at its wheel"}
+
+
+def test_what_mounts_leave_out_and_which_severity_nobody_judges_is_told() -> None:
+    of_set = read(DESIGNS / "generating_set_mounting.toml")
+    every = not_counted(design(of_set))
+    assert "bending of engine and frame" in every and any("class of the machine" in words for words in every)
+    classed = of_set.with_value("mounting.machine_class", 5)
+    assert not any("class of the machine" in words for words in not_counted(design(classed)))
+    assert not any("no standard" in words for words in every)
+    assert any("no standard" in words for words in not_counted(design(read(DESIGNS / "twin_mounting.toml"))))
+
+
+def test_mounts_load_by_their_worst_operation_with_the_severity_and_its_limit() -> None:
+    results = solve(design(read(DESIGNS / "generating_set_mounting.toml")))
+    told = {str(title): str(words) for title, words in load_cases(results)}["Mounting"]
+    assert told == (
+        "at rated, 1500 rpm, order 2 drives most; the mounts pass on 186.7 N, rms; "
+        "severity at head-front, rated: 40.59 mm/s, at most 45 mm/s (ISO 8528-9)"
+    )
+    severity = [check.value for check in results.checks() if check.id.endswith("severity")]
+    assert max(severity) == pytest.approx(40.59 / 45, rel=1e-3)
+    known = {str(value.label): value for value in key_results(results.values()).values()}
+    assert known["Velocity, rms"].id == "mounting.rated.half.head-front.velocity"
