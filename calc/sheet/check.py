@@ -452,12 +452,17 @@ class Check:
         sign = {">=": "≥", "<=": "≤"}.get(self.sense, self.sense)
         return Text("{sign} {limit}", sign=sign, limit=Amount(self.limit, self.unit))
 
+    @property
+    def told_by_gap(self) -> bool:
+        """Whether its margin is said as a gap with its unit: of a limit of 0 and of temperatures."""
+        return self.limit == 0 or self.unit == "°C"
+
     def margin_text(self) -> Text:
-        """Per cent; of a limit of 0 and of temperatures the gap with its unit."""
+        """Per cent, or the gap with its unit."""
         gap = self.gap
         if math.isnan(gap):
             return Text("no number")
-        if self.limit == 0 or self.unit == "°C":
+        if self.told_by_gap:
             form = "+.3g" if abs(gap) < 1000 else "+.0f"
             return Text("{margin}", margin=Amount(gap, {"°C": "K"}.get(self.unit, self.unit), form=form))
         if abs(self.margin) > 1000:  # of a limit that is all but zero

@@ -91,7 +91,8 @@ def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
         twins.setdefault(check.rule.id, []).append(check)
     rows: list[Row] = []
     for group in twins.values():
-        least = min(group, key=lambda check: check.margin)
+        by_gap = all(check.told_by_gap for check in group)  # as its margin is said, whatever else it is a share of
+        least = min(group, key=lambda check: check.gap if by_gap else check.margin)
         name = name_of(context, least)
         if len(group) > 1:
             name += f" ({context.text('more_twins', count=len(group) - 1)})"
