@@ -137,15 +137,16 @@ def _reasons(context: Context, repair: Mended | None) -> list[Block]:
     blocks = table((Column(width=LABEL), Column()), unsolved, gap=4.0, header=False) if unsolved else []
     every = open_findings(list(context.results.checks()))
     verdict = "fail" if any(group[0].verdict == "fail" for group in every) else "warn"
-    groups = sorted((group for group in every if group[0].verdict == verdict), key=lambda group: severity(group[0]))
+    groups = _of_verdict(every, verdict)
     if not groups:
         return blocks
     rows: list[Row] = []
     for worst, *others in groups[:MOST]:
-        more = sum(check.verdict == verdict for check in others)
         name = name_of(context, worst)
+        name = context.text("with_more", name=name, n=len(others)) if others else name
+        takes = context.say(worst.ways_text() or worst.advice) if verdict == "warn" else ""
         cells = shown_value(context, worst), context.say(worst.limit_text()), context.say(worst.margin_text())
-        rows.append((context.text("with_more", name=name, n=more) if more else name, *cells))
+        rows.append((Cell(name, under=(takes, CELL)), *cells))
     columns = Column(w["check"]), Column(w["value"], "r"), Column(w["limit"], "r"), Column(w["margin"], "r")
     blocks += _headed(w["failures" if verdict == "fail" else "warnings"], table(columns, rows, gap=1.0))
     if len(groups) > MOST:
@@ -155,9 +156,15 @@ def _reasons(context: Context, repair: Mended | None) -> list[Block]:
     return blocks + (_worst_warning(context, every) if verdict == "fail" else [])
 
 
+def _of_verdict(every: list[tuple[Check, ...]], verdict: str) -> list[list[Check]]:
+    """What has this verdict of each cause, whatever else stands under it, the worst first."""
+    found = [[check for check in group if check.verdict == verdict] for group in every]
+    return sorted((group for group in found if group), key=lambda group: severity(group[0]))
+
+
 def _worst_warning(context: Context, every: list[tuple[Check, ...]]) -> list[Block]:
     """What warns most where something fails: the others stand with the findings."""
-    groups = sorted((group for group in every if group[0].verdict == "warn"), key=lambda group: severity(group[0]))
+    groups = _of_verdict(every, "warn")
     if not groups:
         return []
     worst, w = groups[0][0], context.words
@@ -194,8 +201,7 @@ def _not_verified(context: Context) -> list[Block]:
     """What is not verified, with what to give; and what no input describes."""
     w = context.words
     every = open_findings(list(context.results.checks()))
-    found = [[check for check in group if check.verdict == "not_verified"] for group in every]
-    groups = [group for group in found if group]
+    groups = _of_verdict(every, "not_verified")
     rows: list[Row] = [(name_of(context, group[0]), context.say(not_given(context, group))) for group in groups[:MOST]]
     columns = Column(w["not_verified_title"], width=0.45 * WIDTH), Column(w["to_give"])
     blocks = table(columns, rows, gap=GAP) if rows else []
