@@ -17,7 +17,7 @@ COUNTED = ("failed", "not_verified", "cautions", "narrow", "accepted")  # in the
 @record
 class Counts:
     """How many checks: `limits` there are, of which `failed`, are `not_verified` or hold by a `narrow` margin;
-    `cautions` that are open; `accepted` ones; open `advice` and notes on the `method`."""
+    `cautions` that are open, and those that hold; `accepted` ones; open `advice` and notes on the `method`."""
 
     limits: int
     failed: int
@@ -27,6 +27,7 @@ class Counts:
     accepted: int
     advice: int
     method: int
+    cautions_held: int
 
     @property
     def words(self) -> tuple[tuple[str, Text], ...]:
@@ -60,6 +61,7 @@ def counts(checks: Iterable[Check]) -> Counts:
         sum(verdict == "accepted" for _, verdict in verdicts),
         open_.count("advice"),
         open_.count("method"),
+        verdicts.count(("caution", "pass")),
     )
 
 
@@ -120,16 +122,17 @@ def colour_state(state: str, n: Counts) -> str:
 
 
 def closest(checks: Iterable[Check]) -> Check | None:
-    """The limit of physics that is kept by least, or missed by most; None where none was judged."""
+    """The limit or caution that is kept by least, or missed by most, a limit that fails before all cautions; None where
+    none was judged.  Limits that may be used up, and those of data against themselves, come close by their nature."""
     among = [
         check
         for check in checks
-        if check.role == "physics"
+        if (check.kind == "caution" or judging(check))
         and not check.exact
         and check.finding != "not_verified"
         and math.isfinite(check.margin)
     ]
-    return min(among, key=lambda check: check.margin, default=None)
+    return min(among, key=lambda check: (check.finding != "fail", check.margin), default=None)
 
 
 # --- checks in order, and under their causes

@@ -401,7 +401,7 @@ def main_numbers(results: Results) -> tuple[tuple[Text, Text], ...]:
 
 def closest_limit(results: Results) -> Text:
     """The limit of physics that is nearest, by name and margin; a dash where none was judged."""
-    check = closest(results.checks())
+    check = closest([check for check in results.checks() if check.role == "physics"])
     return Text("{name}, {margin}", name=check.name, margin=check.margin_text()) if check is not None else Name("–")
 
 

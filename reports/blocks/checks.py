@@ -23,6 +23,7 @@ from .words import STATE_COLOURS, verdict
 
 VERDICT, LONG_VERDICT = 42.0, 62.0
 LONG = ("not_verified", "accepted")
+ROUNDS = 0.05  # per cent: less is written as none
 SIGN = {state: Style(CELL.size, CELL.leading, BOLD, colour) for state, colour in STATE_COLOURS.items()}
 
 
@@ -48,14 +49,16 @@ def name_of(context: Context, check: Check) -> str:
 
 
 def counted(context: Context, checks: Sequence[Check]) -> str:
-    """How many of the limits hold, and what stands below them: what holds by a formula outside its validity, and open
-    notes."""
+    """How many of the limits and of the cautions hold, and what stands below them: what holds by a formula outside its
+    validity, and open notes."""
     if not checks:
         return context.words["no_checks"]
     n, outside = counts(checks), sum(context.state(check) == "outside" for check in checks)
     words = [context.text("held", n=n.held)] if n.limits else []
     if n.held < n.limits:
         words[0] += " " + context.text("of_judged", count=n.limits - n.not_verified)
+    if n.cautions_held:
+        words.append(context.text("held_cautions", n=n.cautions_held))
     if outside:
         words.append(context.text("counted_outside", n=outside))
     words += [
@@ -147,12 +150,25 @@ def _check_table(context: Context, rows: list[Row], gap: float, checks: Sequence
     return table(columns, rows, gap=gap) if rows else []
 
 
+def wrong_here(context: Context, errata: Iterable[Erratum]) -> list[Erratum]:
+    """Those whose numbers differ in this design, in the digits that are shown."""
+    return [e for e in errata if (off := _deviation(context, e)) is None or abs(off) >= ROUNDS]
+
+
+def _deviation(context: Context, e: Erratum) -> float | None:
+    """Of the source's number from ours, in per cent; None where that says nothing."""
+    ours = context.values.get(e.about)
+    if ours is None or ours.unit != e.unit or not ours.shown:
+        return None
+    return (e.source_value / ours.shown - 1) * 100
+
+
 def errata_blocks(context: Context, errata: Iterable[Erratum], *, short: bool = False) -> list[Block]:
     """Where a source is wrong: its value beside ours, and why; `short`: the reason once for all that have it, in its
     first sentence."""
     w = context.words
     together: dict[str, list[Erratum]] = {}
-    for n, erratum in enumerate(errata):
+    for n, erratum in enumerate(wrong_here(context, errata)):
         together.setdefault(erratum.why.partition(". ")[0].rstrip(".") if short else str(n), []).append(erratum)
     rows: list[Row] = []
     for why, some in together.items():
@@ -182,12 +198,9 @@ def _as_printed(context: Context, e: Erratum) -> str:
 
 
 def _erratum_row(context: Context, e: Erratum, under: str) -> Row:
-    ours = context.values.get(e.about)
-    mine, deviation = "–", "–"
-    if ours is not None:
-        mine = context.written(ours.shown, ours.unit)
-        if ours.unit == e.unit and ours.shown:
-            deviation = context.say.part(Amount((e.source_value / ours.shown - 1) * 100, "%", form="+.1f"))
+    ours, off = context.values.get(e.about), _deviation(context, e)
+    mine = context.written(ours.shown, ours.unit) if ours is not None else "–"
+    deviation = context.say.part(Amount(off, "%", form="+.1f")) if off is not None else "–"
     whose = " ".join(context.belongs(e.about))
     label = e.label if knows(e.label, whose) else f"{e.label}, {whose}"
     return Cell(label, under=(under, NOTE)), context.written(e.source_value, e.unit), mine, deviation

@@ -21,7 +21,7 @@ from ..typesetting.pagination import Block, Picture, bullet, composed, heading, 
 from ..typesetting.prose import CELL, NOTE, SECTION, one_line
 from ..typesetting.tables import Cell, Column, Row, table
 from ..typesetting.tags import FIGURE, Tag
-from .checks import attention_blocks, name_of, shown_value, sign_cell
+from .checks import attention_blocks, name_of, shown_value, sign_cell, wrong_here
 from .page_one import Mended, page_one
 from .title_block import change_blocks, file_notes
 
@@ -187,7 +187,7 @@ def _assumptions(context: Context) -> list[Block]:
 
 
 def _errata(context: Context) -> list[Block]:
-    errata = sum(len(outcome.errata) for outcome in context.results.outcomes.values())
+    errata = len(wrong_here(context, (e for outcome in context.results.outcomes.values() for e in outcome.errata)))
     return paragraph(context.text("errata_count", n=errata), CELL, gap=6.0) if errata else []
 
 
@@ -212,7 +212,7 @@ def _proposals(context: Context, above: list[Block], pages: int) -> list[Block]:
 
 
 def _steps(context: Context) -> list[Block]:
-    """One row a step: its verdict and the limit of physics that is closest, or passed over furthest."""
+    """One row a step: its verdict and the limit or caution that is closest, or passed over furthest."""
     w = context.words
     rows: list[Row] = []
     for number, step, outcome in context.steps():

@@ -10,6 +10,7 @@ from calc.studies.load_cases import load_cases
 from reports.blocks.inputs import alike
 from reports.blocks.page_one import LONGEST, mended
 from reports.blocks.values import in_column
+from reports.blocks.words import WORDS
 from reports.report import context_of
 from tests.conftest import DESIGNS
 from tests.reports.reading import EXAMPLE, Solved, pages_of, solved, squeezed
@@ -81,6 +82,27 @@ def test_where_nothing_fails_it_says_what_warns() -> None:
     assert squeezed("Every limit that is judged holds; 2 cautions.") in page and squeezed("What warns") in page
     assert squeezed("Film at the edge, as the journal tilts in the films, front") in page
     assert squeezed("What fails") not in page
+
+
+def test_each_cause_that_warns_is_told_with_what_it_takes_and_the_step_by_its_closest() -> None:
+    made = solved((DESIGNS / "r754ie4_balance_shafts.toml").read_bytes())
+    first, second = [squeezed(page) for page in pages_of(made.report("engineer"))[:2]]
+    warned = first[first.index(squeezed("What warns")) : first.index(squeezed("Load cases"))]
+    turn, numbers = "left: film at the edge over a turn, with the standing load, middle", "4.357 µm ≥ 4.5 µm −3 %"
+    assert squeezed(turn) in warned, "it warns under a cause whose worst is not verified"
+    assert squeezed(numbers) in warned
+    assert squeezed("To pass: Length of middle at least 21.22 mm.") in warned
+    assert squeezed(turn + numbers) in second[second.index(squeezed("Steps")) : second.index(squeezed("What is open"))]
+    held = [check for check in made.results.checks() if check.kind == "caution" and check.verdict == "pass"]
+    assert squeezed(f"{len(held)} cautions hold") in first
+
+
+def test_no_error_that_is_none_here_is_told_and_twins_have_the_least_margin_that_is_said() -> None:
+    made = solved((DESIGNS / "twin_drive.toml").read_bytes())
+    read = squeezed(" ".join(pages_of(made.report("engineer"))))
+    assert any(outcome.errata for outcome in made.results.outcomes.values())
+    assert squeezed(WORDS["errata"]) not in read
+    assert squeezed("171.6 to 186.8 µm > 0 µm +172 µm") in read
 
 
 @pytest.mark.parametrize(

@@ -130,23 +130,28 @@ def test_counts_count_each_check() -> None:
     n = counts(checks)
     assert (n.limits, n.failed, n.not_verified, n.narrow, n.held) == (4, 1, 1, 1, 2)
     assert (n.cautions, n.accepted, n.advice, n.method) == (2, 2, 1, 1)
+    held = counts([of(CAUTION, "", "pass"), of(CAUTION, "", "warn"), of(LIMIT, "physics", "pass")])
+    assert (held.cautions_held, held.held) == (1, 1)
     assert [name for name, _ in n.words] == ["failed", "not_verified", "cautions", "narrow", "accepted"]
 
 
-def test_the_closest_limit_is_one_of_physics_that_was_judged() -> None:
+def test_the_closest_is_a_limit_or_a_caution_that_was_judged_and_a_limit_that_fails_before_all() -> None:
     far, near = made_check(9.0, id="far"), made_check(1.2, id="near")
     among = [
         far,
-        made_check(1.1, id="chosen", rule_of={"role": "chosen"}),
         made_check(1.1, id="self", rule_of={"role": "self"}),
         made_check(1.1, id="exact", rule_of={"exact": True}),
-        made_check(1.1, id="caution", kind="caution"),
+        made_check(1.1, id="advice", kind="advice"),
         made_check(1.1, id="unknown", missing=("a.b",), at_best=2.0, at_worst="none"),
         made_check(math.nan, id="nan"),
         near,
     ]
     assert closest(among) is near
     assert closest([among[1]]) is None
+    chosen = made_check(1.1, id="chosen", rule_of={"role": "chosen"})
+    warns, fails = made_check(0.5, id="warns", kind="caution"), made_check(0.9, id="fails")
+    assert closest([*among, chosen]) is chosen and closest([*among, chosen, warns]) is warns
+    assert closest([warns, fails, *among]) is fails
 
 
 def test_a_group_stands_where_its_worst_check_does() -> None:
