@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
+from calc.sheet.units import UNITS
+
 from .boxes import BLACK, GREY, Box, Colour, row, text
 from .fonts import BOLD, UPRIGHT, clean, units
 from .fonts import width as text_width
@@ -38,6 +40,13 @@ SOURCE = Style(7.8, 8.9, UPRIGHT, GREY)
 INLINE = re.compile(
     r"(?<![^\W⁰¹²³⁴-⁹])(?<!\.)([^\W\d_]{1,2}_(?!(?:mm|um|deg|kg|bar|rpm|GPa)\b)[^\W_]{1,5}(?:,[^\W_]{1,5})?)(?!\w|\.\w)"
 )
+HOLD = "\u00a0"  # a blank at which no line ends; it is written like any other
+_UNITS = "|".join(re.escape(unit) for unit in sorted(filter(None, UNITS), key=len, reverse=True))
+# a number and its unit, a sign and its limit, the star of a default, the number in brackets and what it counts
+BOUND = re.compile(
+    rf"(?<=[\d⁰¹²³⁴-⁹]) (?=(?:{_UNITS})(?![^\W_]))|(?<=[≤≥<>]) (?=[\d−])|(?<=\S) (?=\*(?:\s|$))"
+    r"|(?<=\(\d) (?=[^\W\d]+\))|(?<=\(\d\d) (?=[^\W\d]+\))"
+)
 SOFT = re.compile(r"(?<=[/\-–·;,_.])")
 
 
@@ -61,15 +70,17 @@ def run(words: str, style: Style) -> Box:
 
 def lines(words: str, style: Style, width: float, most: int = 0) -> list[Box]:
     """Text broken into lines of at most this width; `most`: more lines than that end with an ellipsis."""
-    return [run(line, style) for line in broken(clean(words), style, width, most)]
+    cleaned = HOLD.join(map(clean, words.split(HOLD)))
+    return [run(line, style) for line in broken(cleaned, style, width, most)]
 
 
 @lru_cache(maxsize=5000)
 def broken(words: str, style: Style, width: float, most: int = 0) -> tuple[str, ...]:
     """The text of each line.  A word wider than the line is broken after a mark in it, or anywhere."""
     limit = width + 1e-6
-    if _set_width(words, style) <= limit:
-        return (words.strip(),)
+    plain = words.replace(HOLD, " ")
+    if _set_width(plain, style) <= limit:
+        return (plain.strip(),)
     broken_lines: list[str] = []
     line, x, blank = "", 0.0, _set_width(" ", style)
     for part, apart, wide in _tokens(words, style, limit):
@@ -90,14 +101,24 @@ def broken(words: str, style: Style, width: float, most: int = 0) -> tuple[str, 
     return tuple(broken_lines) or ("",)
 
 
+def words_of(text: str) -> list[str]:
+    """What no line is broken in, where there is room: words, and those that are bound together."""
+    return [word.replace(HOLD, " ") for word in re.split(rf"[^\S{HOLD}]+", BOUND.sub(HOLD, text)) if word]
+
+
 def _set_width(words: str, style: Style) -> float:
     """How wide words stand: an index is smaller than the letters that it is written with."""
     return run(words, style).width if "_" in words else units(words, style.face) * style.size / 1000
 
 
+def _parted(bound: str, style: Style, limit: float) -> list[str]:
+    """What is bound together, as long as a line has room for it."""
+    return [bound] if _set_width(bound, style) <= limit else bound.split()
+
+
 def _tokens(words: str, style: Style, limit: float) -> Iterator[tuple[str, bool, float]]:
     """What may stand on a line of its own, each with whether a blank goes before it, and its width."""
-    for word in words.split():
+    for word in (w for bound in words_of(words) for w in _parted(bound, style, limit)):
         if (wide := _set_width(word, style)) <= limit:
             yield word, True, wide
             continue

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from .boxes import BETWEEN, FAINT, Box
 from .fonts import WIDTH
 from .pagination import Block, Content, heading, paragraph
-from .prose import CELL, GROUP, HEADER, NOTE, Style, lines, run
+from .prose import CELL, GROUP, HEADER, NOTE, Style, lines, run, words_of
 from .tags import CAPTION, COLUMN, ROW, Tag
 
 if TYPE_CHECKING:
@@ -132,9 +132,9 @@ def natural(cell: Cell, column: Column) -> float:
     return max(width + (5.0 if column.align == "r" else 0.0), under)
 
 
-def longest(words: str, style: Style) -> float:
-    """The width of the longest word."""
-    return max((run(word, style).width for word in words.split()), default=0.0)
+def longest(words: str, style: Style, *, bound: bool = True) -> float:
+    """The width of the longest word; `bound`: with what no line should part from it."""
+    return max((run(word, style).width for word in (words_of(words) if bound else words.split())), default=0.0)
 
 
 def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> list[float]:
@@ -158,15 +158,17 @@ def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> lis
     if total > free:
         # Narrow columns keep what they need; the wide ones share the rest, and none is narrower than its longest word,
         # if there is room.
-        words = {}
-        for i, n in need.items():
-            cells = [
-                longest(_cell(r[i]).words, _cell(r[i]).style or columns[i].style)
-                for r in rows
-                if not isinstance(r, Group)
-            ]
-            words[i] = min(n, max(longest(columns[i].header, HEADER), *cells, 0.0))
-        whole = words if sum(words.values()) <= free else dict.fromkeys(need, 0.0)
+        whole = dict.fromkeys(need, 0.0)
+        for bound in (False, True):
+            words = {}
+            for i, n in need.items():
+                cells = [
+                    longest(_cell(r[i]).words, _cell(r[i]).style or columns[i].style, bound=bound)
+                    for r in rows
+                    if not isinstance(r, Group)
+                ]
+                words[i] = min(n, max(longest(columns[i].header, HEADER, bound=bound), *cells, 0.0))
+            whole = words if sum(words.values()) <= free else whole
         fair = _fair([n - whole[i] for i, n in need.items()], free - sum(whole.values()))
         need = {i: whole[i] + min(n - whole[i], fair) for i, n in need.items()}
     elif need:
@@ -189,7 +191,7 @@ def _ruled(columns: Sequence[Column], left: list[float], width: float) -> list[t
 def _header_width(words: str) -> float:
     """A header that is not short may wrap between its words."""
     whole = run(words, HEADER).width
-    return whole if whole <= 50.0 else max(run(word, HEADER).width for word in words.split())
+    return whole if whole <= 50.0 else max(run(word, HEADER).width for word in words_of(words))
 
 
 def _fair(needs: list[float], free: float) -> float:

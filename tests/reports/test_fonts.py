@@ -120,6 +120,21 @@ def test_lines_keep_their_width(words: str, wide: float) -> None:
     assert len(cut) <= 2 and all(line.width <= wide + 1e-6 for line in cut)
 
 
+@pytest.mark.parametrize(
+    "bound", ["150.8 µm", "≤ 150.8", "9.6·10⁻³ mm/s", "(1 more)", "(12 more)", "0.5 *", "a\u00a0b"]
+)
+def test_no_line_ends_between_a_number_and_its_unit_nor_where_a_blank_holds(bound: str) -> None:
+    """Whatever the width, unless not even that has room on a line of its own."""
+    plain = bound.replace("\u00a0", " ")
+    for n in range(40, 200):
+        if width(plain, BODY.size) > n:
+            continue
+        made = broken(f"Least backlash of the wheels {bound} and more besides", BODY, float(n))
+        assert any(plain in line for line in made), made
+    assert broken(bound, BODY, 0.8 * width(plain, BODY.size)) != (plain,)
+    assert lines("a\u00a0b", BODY, 100.0)[0].width == run("a b", BODY).width
+
+
 def test_symbols_in_running_text_get_their_index() -> None:
     def sizes(words: str) -> set[float]:
         return {m[5] for m in run(words, BODY).marks}
