@@ -112,8 +112,8 @@ def _set_width(words: str, style: Style) -> float:
 
 
 def _parted(bound: str, style: Style, limit: float) -> list[str]:
-    """What is bound together, as long as a line has room for it."""
-    return [bound] if _set_width(bound, style) <= limit else bound.split()
+    """What is bound together, as long as lines have room for it, and be it broken after a mark before what is bound."""
+    return [bound] if all(_set_width(piece, style) <= limit for piece in SOFT.split(bound)) else bound.split()
 
 
 def _tokens(words: str, style: Style, limit: float) -> Iterator[tuple[str, bool, float]]:

@@ -132,6 +132,7 @@ def test_no_line_ends_between_a_number_and_its_unit_nor_where_a_blank_holds(boun
         made = broken(f"Least backlash of the wheels {bound} and more besides", BODY, float(n))
         assert any(plain in line for line in made), made
     assert broken(bound, BODY, 0.8 * width(plain, BODY.size)) != (plain,)
+    assert broken("balance-shaft *", BODY, width("balance-shaf", BODY.size)) == ("balance-", "shaft *")
     assert lines("a\u00a0b", BODY, 100.0)[0].width == run("a b", BODY).width
 
 

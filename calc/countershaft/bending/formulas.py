@@ -52,6 +52,7 @@ from .beam import Beam, Bent
 
 FINITE = Text("elasticity, stepped beam of Timoshenko elements, exact in statics; journals on pins at their middles")
 TURNING = Text("(stiffness − ω_S²·masses)·u = f, f from q and F, w = 0 at the journals")
+NOISE = 1e-9  # of the largest slope: what the sums leave at the middle journal of a symmetric shaft
 
 
 # --- the section
@@ -204,7 +205,8 @@ def slopes(
     u: Bent,
 ) -> Radians:
     """`u` is the solution for the other arguments, from which the moments are taken too."""
-    return np.abs(u.slopes)
+    theta = np.abs(u.slopes)
+    return np.where(theta > NOISE * theta.max(initial=0.0), theta, 0.0)
 
 
 @formula(

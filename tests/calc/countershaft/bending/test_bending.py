@@ -13,9 +13,12 @@ from calc.countershaft.bending import shaft as b
 from calc.countershaft.checks import BENDING_STRESS, FIRST_CRITICAL_SPEED, NOTCH_STRESS, RIGID, bending_checks
 from calc.countershaft.inputs import Extra
 from calc.countershaft.outline import Piece, outline, weighed
+from calc.design.toml_file import Document, design, read
 from calc.library.catalogue import Material
 from calc.sheet.errors import NoSolution
 from calc.sheet.value import trace
+from calc.solve import solve
+from tests.conftest import DESIGNS
 
 mm = 1e-3
 OMEGA = 2 * math.pi * 2600 / 60
@@ -336,3 +339,14 @@ def test_statics_prove_the_moments_of_the_beam():
     by_hand = abs(r.reactions[1]) * 15.5 * mm
     sums = [line.value for line in lines if line.formula.symbol == "M_s"]
     assert sums == pytest.approx([by_hand, by_hand], rel=1e-4)
+
+
+def test_the_middle_journal_of_a_symmetric_shaft_has_no_slope() -> None:
+    """One end of the shipped shaft is longer, which its middle journal feels; with both alike it has none."""
+    shipped = read(DESIGNS / "r754ie4_balance_shafts.toml")
+
+    def middle(document: Document) -> float:
+        return solve(design(document)).values()["countershaft.left.slope_middle"].inside
+
+    assert middle(shipped) > 0
+    assert middle(shipped.with_value("shafts.0.sections.4.to_mm", 140.0)) == 0
