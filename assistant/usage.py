@@ -38,10 +38,16 @@ def command(module: str, about: str) -> Callable[[Arguments], Arguments]:
     return keep
 
 
-@command("setup", "write a design from a shipped engine")
+@command("setup", "write a design from a shipped engine, or a shipped design as it is")
 def new(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?", help="the design file to write; an existing one is left alone")
-    it.add_argument("--engine", default="r753ie4", metavar="ID", help="which shipped engine (default: %(default)s)")
+    begun = it.add_mutually_exclusive_group()
+    begun.add_argument("--engine", default="r753ie4", metavar="ID", help="which shipped engine (default: %(default)s)")
+    begun.add_argument(
+        "--example",
+        metavar="NAME",
+        help="which shipped design, comments and all, like r753ie4_gamma; a name that there is not lists them",
+    )
     it.add_argument(
         "--arrangement",
         default="",

@@ -10,6 +10,7 @@ import pytest
 from assistant.commands import published as validate
 from assistant.commands.check import exit_code
 from calc.sheet.verdict import TITLES, State
+from calc.studies.shipped import designs, shipped_name
 from tests.command import run, run_apart
 from tests.conftest import DESIGNS, GAMMA, ROOT, SHIPPED
 
@@ -393,6 +394,20 @@ def test_a_shipped_engine_makes_a_design(tmp_path):
         assert run("check", f"{name}.toml", "--step", "imbalance", cwd=tmp_path).returncode == 0
     done = run("check", "twin-180.toml", cwd=tmp_path)  # its couple turns backward: complete, and no limit fails
     assert done.returncode == 0 and "not used" not in done.stdout
+
+
+def test_every_shipped_design_is_an_example_that_can_be_written(tmp_path):
+    """As installed there is no folder `designs/` beside the user."""
+    names = [shipped_name(path) for path in designs()]
+    assert len(names) > 20
+    for n, name in enumerate(names):
+        done = run("new", f"{n}.toml", "--example", name, cwd=tmp_path)
+        assert done.returncode == 0 and (tmp_path / f"{n}.toml").read_bytes() == (DESIGNS / f"{name}.toml").read_bytes()
+    as_in_docs = run("new", "again.toml", "--example", "designs/r753ie4_gamma.toml", cwd=tmp_path)
+    assert as_in_docs.returncode == 0 and (tmp_path / "again.toml").read_bytes() == GAMMA.read_bytes()
+    wrong = run("new", "0.toml", "--example", "gama", "--mounts", cwd=tmp_path)
+    assert wrong.returncode == 2 and all(name in wrong.stderr for name in names)
+    assert "0.toml: exists already" in wrong.stderr and "--mounts: is for an engine" in wrong.stderr
 
 
 def test_set_edits_in_place_and_keeps_the_comments(tmp_path):

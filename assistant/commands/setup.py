@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero new`, `schema` and `completion`: what is made once.
 
-A design of a shipped engine, the JSON Schema by which editors complete and check a design, the script by which a shell
-completes commands."""
+A design of a shipped engine or a shipped design as it is, the JSON Schema by which editors complete and check a design,
+the script by which a shell completes commands."""
 
+import os
 import sys
 from argparse import Namespace
 from pathlib import Path
@@ -15,7 +16,7 @@ from calc.design.schema import schema_text
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
-from calc.studies.shipped import engine_alone, engine_design, engines
+from calc.studies.shipped import designs, engine_alone, engine_design, engines, shipped_name
 
 # --- contralbero completion SHELL
 
@@ -58,15 +59,13 @@ def run_new(asked: Namespace) -> int:
         for row in rows:
             print("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip())
         return 0
+    if asked.example is not None:
+        return _example(asked)
     errors: list[InputError] = []
     if asked.engine not in shipped:
         unknown = Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped))
         errors.append(InputError(0, "--engine", asked.engine, unknown))
-    if asked.file is None:
-        errors.append(InputError(0, "FILE", "", Text("needs the name of the file to write, like my_engine.toml")))
-    elif Path(asked.file).exists():
-        there = Text("exists already and is left alone; choose another name")
-        errors.append(InputError(0, asked.file, "", there))
+    errors += _no_target(asked.file)
     changes = dict[str, object]()
     for assignment in asked.changes:
         try:
@@ -93,4 +92,32 @@ def run_new(asked: Namespace) -> int:
         return 3
     write_asked(path, text, new=True)
     print(path)
+    return 0
+
+
+def _no_target(file: str | None) -> list[InputError]:
+    """What is wrong with the name of the file to write."""
+    if file is None:
+        return [InputError(0, "FILE", "", Text("needs the name of the file to write, like my_engine.toml"))]
+    if os.path.lexists(file):
+        return [InputError(0, file, "", Text("exists already and is left alone; choose another name"))]
+    return []
+
+
+def _example(asked: Namespace) -> int:
+    """A shipped design, byte for byte: who has installed the program has no folder `designs/`."""
+    known = {shipped_name(path): path for path in designs()}
+    name = asked.example.removeprefix("designs/").removesuffix(".toml")  # as the documents write it
+    errors = _no_target(asked.file)
+    if name not in known:
+        unknown = Text("is no shipped design; they are {names}", names=", ".join(known))
+        errors.append(InputError(0, "--example", asked.example, unknown))
+    for option, given in (("--arrangement", asked.arrangement), ("--set", asked.changes), ("--mounts", asked.mounts)):
+        if given:
+            reason = Text("is for an engine; an example is written as it is: change it with `contralbero set`")
+            errors.append(InputError(0, option, "", reason))
+    if errors:
+        raise BadInput("contralbero new", errors)
+    write_asked(Path(asked.file), known[name].read_bytes().decode("utf-8"), new=True)
+    print(asked.file)
     return 0
