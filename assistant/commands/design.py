@@ -8,7 +8,8 @@ import re
 import sys
 import time
 from argparse import Namespace
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -16,13 +17,17 @@ import numpy as np
 
 from assistant.commands.check import changed
 from assistant.results_text import print_summary, table_json, table_lines
-from assistant.session.saving import saved_text, spare, write_asked
-from calc.design.toml_file import Document, read
+from assistant.session.saving import asked_for, make_folder, saved_text, spare, write_asked
+from calc.design.disk import read_file
+from calc.design.limits import DESIGN_BYTES, FRONT_BYTES
+from calc.design.toml_file import Document, design, parse, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text, plural
 from calc.solve import solve
 from calc.studies.drive.classes import NotClosed, without_proof
 from calc.studies.drive.evolve import EVALUATIONS, evolved
+from calc.studies.drive.front import NAME as FRONT
+from calc.studies.drive.front import Broken, searched
 from calc.studies.drive.output import csv_text, json_text, power_of_ten, said, stood, table
 from calc.studies.drive.problem import Problem
 from calc.studies.drive.refusal import refusal
@@ -145,9 +150,8 @@ def _no_proof(why: Text, evaluations: int) -> Text:
 
 def _search(given: Namespace, problem: Problem) -> int:
     folder = Path(given.out)
-    if folder.exists() and not folder.is_dir():
-        raise BadInput(str(folder), [InputError(0, "--out", "", Text("is a file; give the name of a folder"))])
-    _spare_others(folder, Path(given.file))
+    if os.path.isdir(folder):
+        _spare_others(folder, Path(given.file))
     quiet = given.json
     if given.processes is not None and given.processes < 1:
         raise BadInput(
@@ -156,6 +160,7 @@ def _search(given: Namespace, problem: Problem) -> int:
     processes = (
         given.processes if given.processes is not None else min(os.cpu_count() or 1, max(1, len(problem.classes)))
     )
+    make_folder(folder, "--out")
     if not quiet:
         print(plural("{n} class", "{n} classes", n=len(problem.classes)), end=", ")
         print(plural("{n} process", "{n} processes", n=processes), end="; ")
@@ -185,7 +190,8 @@ def _search(given: Namespace, problem: Problem) -> int:
     began, most = time.monotonic(), given.time or float("inf")
     stop, enough = (lambda share=share: time.monotonic() - began > share * most for share in (SEARCHING, 1.0))
     try:
-        front = search(problem, processes, folder / "parts", told, None, given.scheduler or "", stop, first, enough)
+        with asked_for(folder):
+            front = search(problem, processes, folder / "parts", told, None, given.scheduler or "", stop, first, enough)
     except NotClosed as why:
         front = _without_proof(given, problem, why, enough)
     if not front.drives and not front.whole:
@@ -244,14 +250,25 @@ def _numbers(problem: Problem, objectives: Mapping[str, float]) -> str:
     return " · ".join(f"{objectives[name]:.4g} {units[name]}" for name in problem.objectives if name in units)
 
 
+def _front(folder: Path) -> tuple[str, list[Path]]:
+    """The hash of the design that the front in a folder was searched for, and the files of its drives, and no other
+    file of the folder.  Raises OSError, Broken."""
+    design, count = searched(read_file(folder / FRONT, FRONT_BYTES))
+    return design, [path for n in range(1, count + 1) if (path := folder / f"{n:03d}.toml").exists()]
+
+
 def _drives(folder: Path) -> list[Path]:
-    """The drives of the front that lies in a folder, and no other file of it."""
+    """Those files; none where there is no front."""
     try:
-        about = json.loads((folder / "front.json").read_text("utf-8"))
-        count = len(about["drives"])
-    except (OSError, ValueError, KeyError, TypeError):
+        return _front(folder)[1]
+    except (OSError, Broken):
         return []
-    return [path for n in range(1, count + 1) if (path := folder / f"{n:03d}.toml").exists()]
+
+
+def _hashes(drives: Iterable[Path]) -> Iterator[str]:
+    for drive in drives:
+        with suppress(OSError):
+            yield hashlib.sha256(read_file(drive, DESIGN_BYTES)).hexdigest()
 
 
 def _spare_others(folder: Path, source: Path) -> None:
@@ -268,13 +285,12 @@ def _spare_others(folder: Path, source: Path) -> None:
 
 def write(folder: Path, front: FrontFound) -> None:
     """Every drive as a design of its own, then the front."""
-    folder.mkdir(parents=True, exist_ok=True)
     for old in _drives(folder):
         old.unlink()
     for n, drive in enumerate(front.drives, 1):
         write_asked(folder / f"{n:03d}.toml", drive_text(front.problem, drive.document), backup=False)
     write_asked(folder / "front.csv", csv_text(front), backup=False)
-    write_asked(folder / "front.json", json_text(front), backup=False)
+    write_asked(folder / FRONT, json_text(front), backup=False)
 
 
 def drive_text(problem: Problem, drive: Document) -> str:
@@ -283,28 +299,28 @@ def drive_text(problem: Problem, drive: Document) -> str:
 
 
 def _pick(given: Namespace, document: Document, problem: Problem) -> int:
-    """Drive N of the folder into the file, or into another."""
+    """Drive N of the folder into the file, or into another; it is read, checked and solved before."""
     folder, source = Path(given.out or "."), Path(given.file)
     row = folder / f"{given.pick:03d}.toml"
     try:
-        about = json.loads((folder / "front.json").read_text("utf-8"))
-        text = row.read_text("utf-8")
-    except (OSError, ValueError):
-        raise BadInput(
-            "--pick",
-            [InputError(0, "", str(given.pick), Text("there is no such drive in {folder}", folder=str(folder)))],
-        ) from None
-    drives = {hashlib.sha256(path.read_bytes()).hexdigest() for path in _drives(folder)}
-    if document.sha256 not in (about.get("design"), *drives):  # the design that was searched, or one of its drives
+        searched_for, drives = _front(folder)
+        raw = read_file(row, DESIGN_BYTES) if row in drives else None
+    except (OSError, Broken):
+        raw = None
+    if raw is None:
+        why = Text("there is no such drive in {folder}", folder=str(folder))
+        raise BadInput("--pick", [InputError(0, "", str(given.pick), why)])
+    if document.sha256 not in (searched_for, *_hashes(drives)):  # the design that was searched, or one of its drives
         why = Text("was searched for another version of {file}: run the search again", file=given.file)
         raise BadInput(str(folder), [InputError(0, "--pick", str(given.pick), why)])
+    results = solve(design(parse(raw, str(row))))
     target = Path(given.output) if given.output else source
     if given.output:
         spare(target, given.file)
-    write_asked(target, text, expected=None if given.output else document.raw)
+    write_asked(target, raw.decode("utf-8"), expected=None if given.output else document.raw)
     print(Text("{target} is now drive {n} of {folder}", target=str(target), n=given.pick, folder=str(folder)), end="")
     print("" if given.output else Text("; as it was before: {file}.bak", file=str(target)))
-    print_summary(solve(changed(read(target), [])[1]))
+    print_summary(results)
     return 0
 
 

@@ -16,7 +16,7 @@ from typing import Any
 import tomli_w
 
 from assistant.results_text import table_json, table_lines
-from assistant.session.saving import asked_for, edited_text, spare, write_asked
+from assistant.session.saving import asked_for, edited_text, make_folder, spare, write_asked
 from calc.design import replay
 from calc.design.disk import read_file, write_file
 from calc.design.limits import PDF_BYTES
@@ -96,13 +96,7 @@ def _write(folder: Path, cases: list[tuple[Path, Document, Results, FrictionResu
     """The files that were written."""
     from reports.report import write
 
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise BadInput(
-            str(folder),
-            [InputError(0, "-o", "", Text("is no folder to write to: {reason}", reason=error.strerror or str(error)))],
-        ) from None
+    make_folder(folder, "-o")
     written: list[Path] = []
     inputs = [path for path, *_ in cases]
     for path, document, results, friction in cases:

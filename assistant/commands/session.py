@@ -65,7 +65,7 @@ def _port(port: int, reason: Text) -> BadInput:
 
 def run_session(asked: Namespace) -> int:
     path = _named(asked.file) if asked.file else None
-    if path is not None and (path.exists() or not path.parent.is_dir()):
+    if path is not None and not (_missing(path) and os.path.isdir(path.parent)):
         read(path)  # a file that can not be read is an error here, not an empty screen
     served = "TEXTUAL_DRIVER" in os.environ  # in a browser: the terminal is at the other end of the pipes
     # one may be closed
@@ -79,13 +79,24 @@ def run_session(asked: Namespace) -> int:
 
 def _named(file: str) -> Path:
     """The file that is meant: a name without an ending, of which there is none, is one of a design."""
-    path = Path(file).expanduser()
-    return path if path.suffix or path.exists() else path.with_suffix(".toml")
+    path = Path(os.path.expanduser(file))
+    return path.with_name(f"{path.name}.toml") if path.name and not path.suffix and _missing(path) else path
+
+
+def _missing(path: Path) -> bool:
+    """Whether a file of this name could be made here."""
+    try:
+        os.stat(path)
+    except FileNotFoundError:
+        return True
+    except (OSError, ValueError):  # a name that the system does not know
+        pass
+    return False
 
 
 def _refuse(path: Path | None) -> None:
     hint = "`contralbero --help` lists the commands"
-    if path is not None and not path.exists():
+    if path is not None and _missing(path):
         print(f"contralbero: {path}: is not there; `contralbero new {path.name}` begins a design", file=sys.stderr)
     else:
         print(f"contralbero: the guided session needs a terminal; {hint}", file=sys.stderr)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import Table
-from calc.design.disk import FileChanged, same_file, write_file
+from calc.design.disk import FileChanged, demand_writable, same_file, write_file
 from calc.design.labels import Place
 from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput, InputError
@@ -243,11 +243,26 @@ def _tables(value: Any) -> bool:
 
 
 def spare(target: Path, *inputs: str | Path) -> None:
-    """Raises BadInput where a command was asked to write over what it reads, before it does any work."""
+    """Raises BadInput where a command was asked to write over what it reads, or where nothing can be written, before it
+    does any work."""
     if any(same_file(target, source) for source in inputs):
         raise BadInput(
             str(target), [InputError(0, "", "", Text("is an input of this very command; give another name with -o"))]
         )
+    with asked_for(target):
+        demand_writable(target)
+
+
+def make_folder(folder: Path, option: str) -> None:
+    """The folder that a command was asked to write to.  Raises BadInput."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except (OSError, ValueError) as error:
+        why = getattr(error, "strerror", None) or str(error)
+        reason = Text("is no folder to write to: {reason}", reason=why)
+        if os.path.isfile(folder):
+            reason = Text("is a file; give the name of a folder")
+        raise BadInput(str(folder), [InputError(0, option, "", reason)]) from None
 
 
 def write_asked(

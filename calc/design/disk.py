@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from shutil import copyfileobj
+from typing import BinaryIO
 
 from ..sheet.text import Text
 from .limits import LOCK_SECONDS
@@ -40,16 +41,26 @@ class FileChanged(OSError):
 
 def read_file(path: Path | str, most: int) -> bytes:
     """The bytes of a regular file that has at most so many."""
-    try:
-        _demand_regular(os.stat(path))  # a device may do something when it is opened
-        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | WAITS)) as file:
-            _demand_regular(os.fstat(file.fileno()))
-            raw = file.read(most + 1)
-    except ValueError:
-        raise _no_name() from None
+    with opened(path) as file:
+        raw = file.read(most + 1)
+    if raw is None:  # type: ignore[redundant-expr]  # a regular file by its looks, of the kernel's own
+        raise OSError(errno.EAGAIN, os.strerror(errno.EAGAIN))
     if len(raw) > most:
         raise OSError(errno.EFBIG, Text("it is too large: at most {most} bytes are read", most=f"{most:,}"))
     return raw
+
+
+@contextmanager
+def opened(path: Path | str) -> Iterator[BinaryIO]:
+    """A regular file to read from, which is waited for by no open and no read."""
+    try:
+        _demand_regular(os.stat(path))  # a device may do something when it is opened
+        file = open(path, "rb", opener=lambda name, flags: os.open(name, flags | WAITS))
+    except ValueError:
+        raise _no_name() from None
+    with file:
+        _demand_regular(os.fstat(file.fileno()))
+        yield file
 
 
 def _demand_regular(about: os.stat_result) -> None:
@@ -119,7 +130,7 @@ def edit_file(path: Path | str, most: int, change: Callable[[bytes], bytes]) -> 
 
 def demand_writable(path: Path | str) -> None:
     """Raise now what a writing that comes much later would raise, as far as it can be known."""
-    target = Path(os.path.realpath(path))
+    target = _where(path)
     _standing(target)
     if not os.access(target.parent, os.W_OK):
         code = errno.EACCES if target.parent.is_dir() else errno.ENOENT
@@ -129,13 +140,18 @@ def demand_writable(path: Path | str) -> None:
 @contextmanager
 def _writing(path: Path | str) -> Iterator[Path]:
     """Where a name leads, in a folder that is locked and has no drafts of killed runs."""
-    try:
-        target = Path(os.path.realpath(path))
-    except ValueError:
-        raise _no_name() from None
+    target = _where(path)
     with locked(target.parent) as alone:
         _sweep(target.parent, alone)
         yield target
+
+
+def _where(path: Path | str) -> Path:
+    """Where a name leads."""
+    try:
+        return Path(os.path.realpath(path))
+    except ValueError:
+        raise _no_name() from None
 
 
 def _standing(target: Path) -> os.stat_result | None:
@@ -168,7 +184,7 @@ def _replace(target: Path, data: bytes | Path, old: os.stat_result | None, backu
     try:
         _put(drafts[0], data, old)
         if backup and old is not None:
-            _put(drafts[1], target.read_bytes(), old)
+            _put(drafts[1], target, old)
             os.replace(drafts[1], _backup(target))
         os.replace(drafts[0], target)
     finally:

@@ -20,6 +20,11 @@ LOGO_BYTES = 300_000
 LOGO_SIDE = 2000
 FRONT_BYTES = 4_000_000  # a front of 2000 drives has a third of it
 
+# --- the designs of a sweep that stand in a file
+
+LIST_BYTES = 16 * 2**20
+LIST_ROWS, LIST_COLUMNS = 100_000, 100
+
 
 # --- the session in a browser
 
@@ -52,6 +57,11 @@ TABLES: dict[str, dict[str, int]] = {
         "bytes of a logo": LOGO_BYTES,
         "pixels of a logo, either way": LOGO_SIDE,
         "bytes of a front": FRONT_BYTES,
+    },
+    "a table of designs (`sweep --list`)": {
+        "bytes, of a regular file": LIST_BYTES,
+        "designs": LIST_ROWS,
+        "inputs that it varies": LIST_COLUMNS,
     },
     "`serve`": {
         "sessions at a time": SESSIONS,

@@ -162,6 +162,18 @@ class Picked:
         return trades
 
 
+def searched(raw: bytes) -> tuple[str, int]:
+    """The hash of the design that a front was searched for, and how many drives it has.  Raises Broken."""
+    try:
+        about = json.loads(raw)
+        design, drives = about["design"], about["drives"]
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise Broken(f"is no front: {type(error).__name__}") from None
+    if not isinstance(design, str) or not isinstance(drives, list) or len(drives) > MOST_DRIVES:
+        raise Broken("names drives that there are not")
+    return design, len(drives)
+
+
 def picked(raw: bytes, data: Data) -> Picked | None:
     """The drive that a design is of the front in a file; None: it is none of its drives.  Raises Broken where the file
     is no front."""

@@ -5,13 +5,16 @@ import csv
 import math
 from collections.abc import Callable, Sequence
 from functools import lru_cache
+from io import StringIO
+from itertools import islice
 from math import prod
-from pathlib import Path
 from statistics import NormalDist
 
 import numpy as np
 
 from ...design.addresses import Table, address, every, quantity_of, value_at, with_row
+from ...design.disk import read_file
+from ...design.limits import LIST_BYTES, LIST_COLUMNS, LIST_ROWS
 from ...design.toml_file import Document
 from ...design.upgrade import MANY, current
 from ...sheet.arrays import Array
@@ -23,7 +26,8 @@ from ...sheet.text import Text
 Value = float | str
 FLAGS = {"true": True, "false": False}
 MOST_ROWS = 1_000_000
-MOST_LISTED = 100_000  # designs of a file
+LONGEST = 60  # letters of a cell that are told
+MOST_MISTAKES = 1000  # of a list, after which the rest is not looked at
 FORM = Text("must be KEY=LOW:HIGH:NUMBER or KEY=VALUE,VALUE,…, like engine.rated_speed_rpm=1000:3000:21")
 RANGE = Text("must be KEY=LOW:HIGH or KEY=VALUE,VALUE,…, like engine.rod_length_mm=150:170")
 TOLERANCE = Text("must be KEY=DEVIATION or KEY=LOWER:UPPER, like shafts.shaft.bearings.front.clearance_um=5 for ±5 µm")
@@ -77,18 +81,20 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
     """The designs of a CSV file: keys in its first line, then a design in each.  An empty cell is left as the design
     has it."""
     try:
-        with open(Path(path), encoding="utf-8-sig", newline="") as file:
-            lines = list(csv.reader(file))
+        text = read_file(path, LIST_BYTES).decode("utf-8-sig")
+        lines = list(islice(csv.reader(StringIO(text, newline="")), LIST_ROWS + 2))
     except UnicodeDecodeError as error:
         raise _bad(path, 0, Text("is no text in UTF-8 (byte {n}); save it again so", n=error.start)) from None
-    except (OSError, ValueError, csv.Error) as error:
+    except (OSError, csv.Error) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise _bad(path, 0, Text("cannot be read: {reason}", reason=reason)) from None
     if len(lines) < 2 or not lines[0]:
         raise _bad(path, 1, Text("needs keys in its first line, and a design in each line below it"))
-    if len(lines) > MOST_LISTED:
-        count = len(lines) - 1
-        raise _bad(path, 0, Text("has {count} designs; at most {most} at once", count=count, most=MOST_LISTED))
+    if len(lines) > LIST_ROWS + 1:
+        raise _bad(path, 0, Text("has too many designs; at most {most} at once", most=f"{LIST_ROWS:,}"))
+    if len(lines[0]) > LIST_COLUMNS:
+        many = Text("has {count} columns; at most {most} inputs are varied", count=len(lines[0]), most=LIST_COLUMNS)
+        raise _bad(path, 1, many)
     inputs = [Varied(key.strip()) for key in lines[0]]
     errors: list[InputError] = []
     kinds = [_about(document, column.key, errors) for column in inputs]
@@ -97,6 +103,9 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
         errors.append(InputError(1, twice, "", Text("stands in two columns; each input has one")))
     rows: list[tuple[Value | None, ...]] = []
     for n, line in enumerate(lines[1:], 2):
+        if len(errors) > MOST_MISTAKES:
+            errors.append(InputError(n, "", "", Text("the rest was not looked at")))
+            break
         if len(line) != len(inputs):
             cells = Text("has {count} cells; needs {low}", count=len(line), low=len(inputs))
             errors.append(InputError(n, "", "", cells))
@@ -104,9 +113,9 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
         row: list[Value | None] = []
         for column, about, cell in zip(inputs, kinds, line):
             try:
-                row.append(_values(cell.strip(), about)[0] if cell.strip() else None)
+                row.append(_value(cell.strip(), about) if cell.strip() else None)
             except ValueError as wrong:
-                errors.append(InputError(n, column.key, cell, Text("{wrong}", wrong=str(wrong))))
+                errors.append(InputError(n, column.key, cell[:LONGEST], Text("{wrong}", wrong=str(wrong))))
         rows.append(tuple(row))
     if errors:
         raise BadInput(path, errors)
@@ -188,6 +197,15 @@ def _ends(spec: str, form: Text) -> tuple[float, float]:
     if not low < high or high - low == float("inf"):
         raise ValueError("must go from a lower number to a higher one")
     return low, high
+
+
+def _value(cell: str, about: Quantity) -> Value:
+    """What stands in one cell of a list."""
+    if about.kind in ("text", "choice", "date"):
+        return cell
+    if ":" in cell or "," in cell:
+        raise ValueError("must be one value; a point stands before decimals")
+    return _values(cell, about)[0]
 
 
 def _values(spec: str, about: Quantity) -> tuple[Value, ...]:
