@@ -158,6 +158,21 @@ def test_killed_at_random_and_resumed_it_writes_the_same_bytes(tmp_path):
     ]
 
 
+@pytest.mark.slow
+def test_the_same_sweep_at_once_does_not_take_its_chunks_away(tmp_path):
+    vary = ["--vary", "engine.rated_speed_rpm=1000:2600:120", "--step", "imbalance", "--processes", "1", "-o"]
+    words = [sys.executable, "-m", "assistant", "sweep", str(GAMMA), *vary, str(tmp_path / "a.csv")]
+    env = {**os.environ, "PYTHONPATH": str(ROOT)}
+    runs = [subprocess.Popen(words, cwd=ROOT, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE)]
+    for wait in (0.0, 0.2, 0.4):
+        time.sleep(wait)
+        runs.append(subprocess.Popen(words, cwd=ROOT, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+    ends = [(one.communicate()[1].decode(), one.returncode) for one in runs]
+    assert all(code == 0 for _, code in ends), ends
+    assert len((tmp_path / "a.csv").read_text(encoding="utf-8").splitlines()) == 121
+    assert {path.name for path in tmp_path.iterdir()} <= {"a.csv", "a.csv.bak"}
+
+
 @pytest.mark.skipif(find_spec("distributed") is None, reason="an extra")
 def test_over_the_workers_of_a_scheduler_the_table_is_the_same(tmp_path):
     from distributed import LocalCluster

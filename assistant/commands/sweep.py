@@ -112,15 +112,18 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
     with asked_for(path):
         demand_writable(path)  # before anything is put beside it: a folder, or no name at all, has no such place
     store = _store(task, path.with_name(f"{path.name}.parts"))
-    draft = store.folder / f"{store.key}-table.new"
     try:
-        swept(task, store, Progress(task.plan.count), processes, scheduler)
-        if as_parquet:
-            counts = write_parquet(draft, task.document, task.plan.inputs, store)
-        else:
-            with open(draft, "w", encoding="utf-8", newline="") as table:
-                counts = write_csv(table, task.document, task.plan.inputs, store)
-        write_file(path, draft, backup=True, inputs=[file])
+        with store.shared():
+            swept(task, store, Progress(task.plan.count), processes, scheduler)
+            draft = store.draft()
+            if as_parquet:
+                counts = write_parquet(draft, task.document, task.plan.inputs, store)
+            else:
+                with open(draft, "x", encoding="utf-8", newline="") as table:
+                    counts = write_csv(table, task.document, task.plan.inputs, store)
+            write_file(path, draft, backup=True, inputs=[file])
+            draft.unlink()
+            width = len(columns(task.document, task.plan.inputs, store).header)
     except KeyboardInterrupt:
         print(
             Text("what is done is kept in {folder}: the same command goes on from there", folder=str(store.folder)),
@@ -130,7 +133,6 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
     except OSError as error:
         reason = Text("cannot be written: {reason}", reason=error.strerror or str(error))
         raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
-    width = len(columns(task.document, task.plan.inputs, store).header)
     store.clear()
     print(f"{_summary(counts, task)}\n{path}: {width} columns")
     return 0

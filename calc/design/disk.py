@@ -43,7 +43,7 @@ def read_file(path: Path | str, most: int) -> bytes:
     """The bytes of a regular file that has at most so many."""
     with opened(path) as file:
         raw = file.read(most + 1)
-    if raw is None:  # type: ignore[redundant-expr]  # a regular file by its looks, of the kernel's own
+    if raw is None:  # a regular file by its looks, of the kernel's own
         raise OSError(errno.EAGAIN, os.strerror(errno.EAGAIN))
     if len(raw) > most:
         raise OSError(errno.EFBIG, Text("it is too large: at most {most} bytes are read", most=f"{most:,}"))
@@ -257,13 +257,13 @@ def _lock(handle: int) -> bool:
             time.sleep(EVERY)
 
 
-def lock(handle: int) -> bool:
-    """Take the lock of an open file or folder, which ends with it.  False where there are no locks; BlockingIOError:
-    another has it."""
+def lock(handle: int, *, shared: bool = False) -> bool:
+    """Take the lock of an open file or folder, which ends with it.  `shared`: with others that share it.  False where
+    there are no locks; BlockingIOError: another has it."""
     if sys.platform == "win32":
         return False
     try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        fcntl.flock(handle, (fcntl.LOCK_SH if shared else fcntl.LOCK_EX) | fcntl.LOCK_NB)
     except BlockingIOError:
         raise
     except OSError:  # a file system without them

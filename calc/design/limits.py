@@ -24,6 +24,7 @@ FRONT_BYTES = 4_000_000  # a front of 2000 drives has a third of it
 
 LIST_BYTES = 16 * 2**20
 LIST_ROWS, LIST_COLUMNS = 100_000, 100
+CHUNK_BYTES = 2**26  # that a sweep has kept; one with every value has 2 MB
 
 
 # --- the session in a browser

@@ -4,17 +4,22 @@
 It is written chunk by chunk, so that it may be larger than the memory."""
 
 import csv
+import errno
 import hashlib
 import json
+import os
+import time
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from importlib import import_module
 from math import isfinite
 from pathlib import Path
 from typing import Any, Protocol, TextIO
 
 from ...design.addresses import quantity_of
+from ...design.disk import EVERY, lock, opened, read_file
+from ...design.limits import CHUNK_BYTES, LOCK_SECONDS
 from ...design.toml_file import Document
 from ...sheet.errors import InputError, NoSolution
 from ...sheet.record import record, replace
@@ -133,11 +138,15 @@ class InFolder:
     def _file(self, n: int) -> Path:
         return self.folder / f"{self.key}-{n}.jsonl"
 
+    def draft(self) -> Path:
+        """A file of this run alone, which `clear` takes away if it is killed."""
+        return self.folder / f"{self.key}-{os.urandom(8).hex()}.new"
+
     def has(self, n: int) -> bool:
         """Whether the chunk is there and whole."""
         try:
             self.chunk(n)
-        except (OSError, ValueError, KeyError, TypeError):
+        except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
             return False
         return True
 
@@ -147,34 +156,81 @@ class InFolder:
         rows = [[row.at, row.cells, row.verdicts, row.verdict, row.reason] for row in chunk.rows]
         text = "\n".join(map(json.dumps, [about, *rows]))
         self.folder.mkdir(parents=True, exist_ok=True)
-        draft = self._file(n).with_suffix(".new")
-        draft.write_text(text, encoding="utf-8")
+        draft = self.draft()
+        with open(draft, "x", encoding="utf-8") as file:
+            file.write(text)
         draft.replace(self._file(n))
 
     def head(self, n: int) -> Chunk:
         """The chunk without its designs, one that stands for those with a reason excepted."""
-        with open(self._file(n), encoding="utf-8") as file:
-            about = json.loads(file.readline())
+        with opened(self._file(n)) as file:
+            about = json.loads(file.readline(CHUNK_BYTES))
         rows = (SweepRow((), (), (), NO_DESIGN, "some"),) if about["reasons"] else ()
         return Chunk(about["units"], tuple(about["steps"]), rows)
 
     def chunk(self, n: int) -> Chunk:
-        first, *lines = self._file(n).read_text(encoding="utf-8").splitlines()
+        first, *lines = read_file(self._file(n), CHUNK_BYTES).decode("utf-8").splitlines()
         about = json.loads(first)
+        units, steps = dict(about["units"]), tuple(about["steps"])
         parts = map(json.loads, lines)
         rows = [SweepRow(tuple(at), tuple(cells), tuple(verdicts), *rest) for at, cells, verdicts, *rest in parts]
         if len(rows) != about["count"]:
             raise ValueError("is cut off")
-        return Chunk(about["units"], tuple(about["steps"]), tuple(rows))
+        if any((len(row.cells), len(row.verdicts)) != (len(units), len(steps)) for row in rows):
+            raise ValueError("has rows of other columns")
+        return Chunk(units, steps, tuple(rows))
 
     def __len__(self) -> int:
         return sum(1 for _ in self.folder.glob(f"{self.key}-*.jsonl"))
 
+    @contextmanager
+    def shared(self) -> Iterator[None]:
+        """The chunks stay while this run needs them, whichever run of the same sweep ends first: only the last one that
+        is at them takes them away."""
+        handle = self._at()
+        try:
+            yield
+        finally:
+            if handle is not None:
+                os.close(handle)
+
+    def _at(self) -> int | None:
+        """The open file by which others see that a run is at these chunks; None where the system has no locks."""
+        ends = time.monotonic() + LOCK_SECONDS
+        while time.monotonic() < ends:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            with suppress(FileNotFoundError):  # another takes the folder away
+                handle = os.open(self._lock, os.O_RDWR | os.O_CREAT, 0o666)
+                try:
+                    if not lock(handle, shared=True):
+                        os.close(handle)
+                        return None
+                    if os.path.samestat(os.fstat(handle), os.stat(self._lock)):
+                        return handle
+                except (BlockingIOError, FileNotFoundError):
+                    time.sleep(EVERY)
+                os.close(handle)
+        raise TimeoutError(errno.ETIMEDOUT, Text("another run of this sweep takes its files away, and does not end"))
+
+    @property
+    def _lock(self) -> Path:
+        return self.folder / f"{self.key}-lock"
+
     def clear(self) -> None:
-        """Take away what is kept, once the table is written."""
+        """Take away what is kept, once the table is written and no other run is at it."""
         with suppress(OSError):
-            for file in self.folder.glob(f"{self.key}-*"):
-                file.unlink()
+            handle, alone = os.open(self._lock, os.O_RDWR | os.O_CREAT, 0o666), False
+            try:
+                alone = lock(handle)
+                for file in self.folder.glob(f"{self.key}-*"):
+                    if file != self._lock:
+                        file.unlink()
+                if alone:  # while it is held: who has opened it meanwhile sees that it is gone
+                    self._lock.unlink()
+            finally:
+                os.close(handle)
+            if not alone:
+                self._lock.unlink()
             self.folder.rmdir()  # unless it has chunks of another sweep
 
 

@@ -2,15 +2,16 @@
 seen."""
 
 import io
+import os
 import random
 from importlib.util import find_spec
 
 import pytest
 
 from calc.design.toml_file import read
-from calc.studies.sweep import Sweep, grid, swept, varied
+from calc.studies.sweep import Sweep, grid, swept, table, varied
 from calc.studies.sweep.run import SIZE
-from calc.studies.sweep.table import InFolder, InMemory, key_of, write_csv, write_parquet
+from calc.studies.sweep.table import Chunk, InFolder, InMemory, SweepRow, key_of, write_csv, write_parquet
 from tests.conftest import GAMMA as FILE
 
 GAMMA = read(FILE)
@@ -63,6 +64,69 @@ def test_damage_to_a_kept_chunk_is_seen(expected, kept):
     assert text_of(kept) == expected
     kept.clear()
     assert not kept.folder.exists()
+
+
+ONE = Chunk({"a": "mm"}, ("engine",), (SweepRow((1.0,), (2.0,), ("pass",), "pass"),))
+
+
+def test_what_two_runs_of_one_sweep_keep_goes_with_the_last_of_them(kept):
+    other = InFolder(kept.folder, kept.key)
+    with kept.shared():
+        kept.keep(0, ONE)
+        with other.shared():
+            kept.clear()  # the first is done
+            assert other.has(0)
+        other.clear()  # the first still reads
+        assert kept.has(0)
+    kept.clear()
+    assert not kept.folder.exists()
+
+
+def test_a_run_that_comes_while_another_takes_its_chunks_away_begins_anew(kept, monkeypatch):
+    """The file by which they see each other is gone between opening and locking it."""
+    take, gone = table.lock, []
+
+    def late(handle, **how):
+        if not gone:
+            gone.append(True)
+            kept.clear()
+        return take(handle, **how)
+
+    monkeypatch.setattr(table, "lock", late)
+    with kept.shared():
+        assert gone and os.listdir(kept.folder)  # a new one, which others see
+        monkeypatch.undo()
+        kept.clear()
+        assert os.listdir(kept.folder)
+    kept.clear()
+    assert not kept.folder.exists()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"",
+        b"[" * 100_000,
+        b"[]",
+        b"3",
+        b'{"units": 3, "steps": [], "count": 0, "reasons": false}',
+        b'{"units": {}, "steps": [], "count": 1, "reasons": false}\n[[], [1.0], [], "pass", ""]',
+        b'{"units": {}, "steps": [], "count": 1, "reasons": false}\n{"a": 1}',
+        b"\xff",
+        None,
+    ],
+)
+def test_what_is_no_chunk_is_computed_again(kept, text):
+    kept.keep(0, ONE)
+    (file,) = kept.folder.iterdir()
+    if text is None:
+        file.unlink()
+        os.mkfifo(file)
+    else:
+        file.write_bytes(text)
+    assert not kept.has(0)
+    kept.keep(0, ONE)
+    assert kept.has(0) and [*kept.folder.iterdir()] == [file]
 
 
 def test_kept_chunks_are_of_one_sweep_alone():
