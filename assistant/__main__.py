@@ -2,6 +2,7 @@
 """`contralbero`, and `python -m assistant`: the command line, with Ctrl-C quiet from the first import to the last
 line."""
 
+import os
 import signal
 import sys
 
@@ -28,6 +29,9 @@ def main() -> int:
         return command_line()
     except KeyboardInterrupt:
         return 130
+    except Exception as error:  # so little memory that not even the fault could be told, or a module not be loaded
+        os.write(2, b"contralbero: a fault of the program itself, no verdict: %s\n" % type(error).__name__.encode())
+        return 70
     finally:
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # what is left is Python's own end, which would show a trace
 

@@ -7,6 +7,7 @@ a device that is full, end the program without a word too many."""
 import codecs
 import contextlib
 import os
+import re
 import sys
 import tempfile
 import traceback
@@ -105,6 +106,7 @@ def _to_nowhere(stream: TextIO) -> None:
 
 CODE = 70
 KEPT = 20  # traces; older ones go
+TRACE = re.compile(r"(?:contralbero-)?fault-\d{8}-\d{6}-\w+\.txt")  # of this version, and of those before
 FOLDER = "contralbero"
 
 
@@ -124,30 +126,39 @@ def told(error: BaseException) -> int:
 
 
 def kept(error: BaseException) -> Path | None:
-    """The file with the trace: in the user's state folder, else in the one for temporary files."""
+    """The file with the trace: in the user's state folder, else in the one for temporary files, which is everybody's.
+    Its name is nobody's guess, so that no link waits there."""
     now = datetime.now()
     words = (
         f"contralbero {VERSION}, Python {sys.version}, {now.isoformat(timespec='seconds')}\n{' '.join(sys.argv)}\n\n"
     )
     text = visible(words + "".join(traceback.format_exception(error)), lines=True).encode()
-    for folder in _folders():
-        with suppress(OSError, ValueError):
-            folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-            path = folder / f"fault-{now:%Y%m%d-%H%M%S}-{os.getpid()}.txt"
-            path.write_bytes(text)
-            for old in sorted(folder.glob("fault-*.txt"))[:-KEPT]:
-                old.unlink()
-            return path
+    with suppress(OSError, ValueError, RuntimeError):  # no home is known
+        folder = state_dir() / "faults"
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        path = _put(text, now, folder)
+        _sweep(folder)
+        return path
+    with suppress(OSError, ValueError):
+        return _put(text, now, Path(tempfile.gettempdir()))
     return None
 
 
-def _folders() -> list[Path]:
-    folders = []
-    with suppress(RuntimeError):  # no home is known
-        folders.append(state_dir() / "faults")
-    with suppress(OSError):
-        folders.append(Path(tempfile.gettempdir()))
-    return folders
+def _put(text: bytes, now: datetime, folder: Path) -> Path:
+    handle, path = tempfile.mkstemp(".txt", f"contralbero-fault-{now:%Y%m%d-%H%M%S}-", folder)
+    with open(handle, "wb") as file:
+        file.write(text)
+    return Path(path)
+
+
+def _sweep(folder: Path) -> None:
+    """Leave the last traces of a folder that is ours, and all that is no trace."""
+    if folder.is_symlink() or (hasattr(os, "getuid") and folder.stat().st_uid != os.getuid()):
+        return
+    traces = [path for path in folder.iterdir() if TRACE.fullmatch(path.name)]
+    for old in sorted(traces, key=lambda path: path.name.partition("fault-")[2])[:-KEPT]:
+        with suppress(OSError):
+            old.unlink()
 
 
 def state_dir() -> Path:

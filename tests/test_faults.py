@@ -26,14 +26,15 @@ sys.exit(main())
 """
 
 
-def broken(state: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+def broken(state: Path, first: str = "", **environment: str) -> subprocess.CompletedProcess[str]:
     env = {**os.environ, "PYTHONPATH": str(ROOT), "XDG_STATE_HOME": str(state), **environment}
-    return subprocess.run([sys.executable, "-c", BROKEN, PAIR], capture_output=True, text=True, cwd=ROOT, env=env)
+    words = [sys.executable, "-c", first + BROKEN, PAIR]
+    return subprocess.run(words, capture_output=True, text=True, cwd=ROOT, env=env)
 
 
 def test_a_fault_is_told_in_one_line_and_its_trace_is_kept(tmp_path: Path) -> None:
     done = broken(tmp_path)
-    (trace,) = tmp_path.glob("contralbero/faults/*.txt")
+    (trace,) = tmp_path.glob("contralbero/faults/contralbero-fault-*.txt")
     assert done.returncode == 70 and not done.stdout
     assert (
         done.stderr.count("\n") == 1
@@ -48,8 +49,45 @@ def test_where_the_state_folder_can_not_be_made_the_trace_is_kept_elsewhere(tmp_
     blocked = tmp_path / "file"
     blocked.write_text("")
     done = broken(blocked, TMPDIR=str(tmp_path))
-    (trace,) = tmp_path.glob("fault-*.txt")
+    (trace,) = tmp_path.glob("contralbero-fault-*.txt")
     assert done.returncode == 70 and str(trace) in done.stderr
+    assert trace.stat().st_mode & 0o077 == 0  # the trace has names of the user's files
+
+
+def test_in_a_folder_that_is_everybodys_no_link_is_followed_and_no_file_of_another_goes(tmp_path: Path) -> None:
+    """The name of the trace is not known before: what is guessed from the time and the process leads nowhere."""
+    blocked, victim = tmp_path / "file", tmp_path / "victim"
+    blocked.write_text("")
+    victim.write_text("precious")
+    everybodys = tmp_path / "tmp"
+    everybodys.mkdir()
+    theirs = [everybodys / f"fault-20200101-0000{n:02d}-{n}.txt" for n in range(40)]
+    for path in theirs:
+        path.write_text("another's")
+    script = f"""
+import os
+from datetime import datetime, timedelta
+from pathlib import Path
+for second in range(-1, 20):
+    when = datetime.now() + timedelta(seconds=second)
+    for name in ("fault", "contralbero-fault"):
+        os.symlink({str(victim)!r}, Path({str(everybodys)!r}) / f"{{name}}-{{when:%Y%m%d-%H%M%S}}-{{os.getpid()}}.txt")
+"""
+    done = broken(blocked, script, TMPDIR=str(everybodys))
+    assert done.returncode == 70 and victim.read_text() == "precious"
+    assert all(path.exists() for path in theirs)
+    (trace,) = [path for path in everybodys.iterdir() if not path.is_symlink() and path not in theirs]
+    assert str(trace) in done.stderr and "KeyError" in trace.read_text(encoding="utf-8")
+
+
+def test_a_state_folder_that_leads_elsewhere_loses_no_file_there(tmp_path: Path) -> None:
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    for n in range(30):
+        (elsewhere / f"fault-20200101-0000{n:02d}-1.txt").write_text("")
+    (tmp_path / "contralbero").mkdir()
+    (tmp_path / "contralbero" / "faults").symlink_to(elsewhere)
+    assert broken(tmp_path).returncode == 70 and len(list(elsewhere.iterdir())) == 31
 
 
 def test_only_the_last_traces_are_kept(tmp_path: Path) -> None:
@@ -57,8 +95,57 @@ def test_only_the_last_traces_are_kept(tmp_path: Path) -> None:
     folder.mkdir(parents=True)
     for n in range(30):
         (folder / f"fault-20200101-0000{n:02d}-1.txt").write_text("")
-    broken(tmp_path)
-    assert len(list(folder.iterdir())) == 20
+    (folder / "fault-of-mine.txt").write_text("")
+    done = broken(tmp_path)
+    (trace,) = folder.glob("contralbero-*")
+    assert str(trace) in done.stderr
+    assert len(list(folder.iterdir())) == 21 and (folder / "fault-of-mine.txt").exists()
+
+
+NO_MEMORY = {
+    "while it works": "check.solve = lambda design: [].extend(bytearray(2**62) for _ in range(9))",
+    "while the fault is told": """
+import assistant.output
+def told(error): raise MemoryError
+assistant.output.kept = told
+""",
+    "while a module is loaded": """
+class Finder:
+    def find_spec(self, name, *_):
+        if name in ("assistant.cli", "assistant.usage"): raise MemoryError
+for name in [name for name in sys.modules if name.startswith("assistant.")]: del sys.modules[name]
+sys.meta_path.insert(0, Finder())
+""",
+}
+
+
+@pytest.mark.parametrize("when", NO_MEMORY)
+def test_out_of_memory_is_a_fault_and_no_verdict(tmp_path: Path, when: str) -> None:
+    script = BROKEN.replace("sys.argv =", NO_MEMORY[when] + "\nsys.argv =")
+    env = {**os.environ, "PYTHONPATH": str(ROOT), "XDG_STATE_HOME": str(tmp_path)}
+    done = subprocess.run([sys.executable, "-c", script, PAIR], capture_output=True, text=True, cwd=ROOT, env=env)
+    assert done.returncode == 70 and done.stderr.count("\n") == 1 and "MemoryError" in done.stderr, done.stderr
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="limits of memory")
+def test_with_ever_less_memory_it_ends_by_a_verdict_or_by_a_fault(tmp_path: Path) -> None:
+    import resource
+
+    env = {**os.environ, "PYTHONPATH": str(ROOT), "XDG_STATE_HOME": str(tmp_path)}
+    words = [sys.executable, "-m", "assistant", "check", PAIR]
+    for mega in range(30, 260, 7):
+        limit = (mega * 2**20,) * 2
+        done = subprocess.run(
+            words,
+            capture_output=True,
+            text=True,
+            cwd=ROOT,
+            env=env,
+            preexec_fn=lambda limit=limit: resource.setrlimit(resource.RLIMIT_AS, limit),
+        )
+        # below some 30 MB Python itself does not start, and OpenBLAS ends the process itself
+        assert done.returncode in (0, 70) or "OpenBLAS" in done.stderr, (mega, done.stderr)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals")
