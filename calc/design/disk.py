@@ -24,8 +24,11 @@ if sys.platform != "win32":
     import fcntl
 
 DRAFT = re.compile(r"\.contralbero-[0-9a-f]{16}\.new\Z")
-NOT_BARE = set('/\\:*?"<>|')
-LONGEST_NAME = 100
+PORTS = "0123456789¹²³"
+NOT_BARE, NOT_MADE = set('/\\:*?"<>|'), set("$`&;!%^'")
+NOT_FIRST = (" ", "-", "~", "#", "@", "=")
+DEVICES = {"CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$", *(f"{port}{n}" for port in ("COM", "LPT") for n in PORTS)}
+LONGEST_NAME, LONGEST_BYTES = 100, 240  # letters, and bytes of them, to which a system adds an ending
 FORGOTTEN = 86_400.0  # seconds after which a draft is a killed run's, where no lock can tell
 EVERY = 0.01  # seconds between two looks at a lock
 WAITS = getattr(os, "O_NONBLOCK", 0)  # else the opening of a pipe waits for its writer
@@ -74,10 +77,18 @@ def _no_name() -> OSError:
     return OSError(errno.EINVAL, Text("the system knows no such name"))
 
 
-def bare_name(name: str) -> bool:
-    """Whether this is the mere name of a file, on any system, and none that hides."""
+def bare_name(name: str, *, made: bool = True) -> bool:
+    """Whether this is the mere name of a file, on any system, and none that hides.  `made`: a file that the program
+    makes has no name either that a command takes for an option or a home, a shell runs or replaces, or that is a
+    device."""
+    short = 0 < len(name) <= LONGEST_NAME and len(name.encode(errors="replace")) <= LONGEST_BYTES
     visible = name.isprintable() and not name.startswith(".")
-    return 0 < len(name) <= LONGEST_NAME and not NOT_BARE & set(name) and visible
+    return short and visible and not NOT_BARE & set(name) and not (made and _acts(name))
+
+
+def _acts(name: str) -> bool:
+    device = name.partition(".")[0].rstrip().upper() in DEVICES
+    return device or name.startswith(NOT_FIRST) or name.endswith((" ", ".")) or bool(NOT_MADE & set(name))
 
 
 def same_file(a: Path | str, b: Path | str) -> bool:

@@ -9,6 +9,7 @@ from ..sheet.toml_scan import DEPTH, ENTRIES
 
 DESIGN_BYTES = 2**20
 DESIGN_ENTRIES, DESIGN_DEPTH = ENTRIES, DEPTH
+REPLAY_STEPS, REPLAY_REPORTS = 1000, 20  # each solves a design; a report takes as long as ten of them
 
 
 # --- what a report takes in
@@ -46,6 +47,8 @@ TABLES: dict[str, dict[str, int]] = {
         "bytes, of a regular file": DESIGN_BYTES,
         "entries: values, elements of lists and headers": DESIGN_ENTRIES,
         "tables in tables": DESIGN_DEPTH,
+        "steps of a replay, each of which solves a design": REPLAY_STEPS,
+        "of which write a report": REPLAY_REPORTS,
         "mistakes that are printed; the rest are counted": SHOWN_ERRORS,
     },
     "a PDF": {

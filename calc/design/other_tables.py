@@ -81,7 +81,7 @@ class DocumentControl:
     def problems(self) -> Iterable[tuple[str, Text]]:
         if not self.logo:
             return
-        if not bare_name(self.logo):
+        if not bare_name(self.logo, made=False):
             yield dotted(DocumentControl.logo), Text("must be the bare name of a file beside the design, like logo.png")
         elif not self.logo.lower().endswith(".png"):
             must = Text("must be a PNG file (.png); other pictures, SVG among them, are not drawn: export it as PNG")

@@ -14,6 +14,7 @@ from ..sheet.text import Text
 from ..sheet.verdict import State
 from .addresses import Table, value_at
 from .disk import bare_name
+from .limits import REPLAY_REPORTS, REPLAY_STEPS
 from .model import SCHEMA, Design
 from .toml_file import Document, current_document, design, read, read_as_it_is
 
@@ -124,6 +125,13 @@ def load(path: Path | str) -> Script:
             error(key, Text("must be an array of tables: [[{key}]]", key=key))
             steps, expects = [], []
     assert isinstance(steps, list) and isinstance(expects, list)
+    for what, count, most in (
+        ("steps", len(steps), REPLAY_STEPS),
+        ("steps that write a report", sum("report" in row for row in steps), REPLAY_REPORTS),
+    ):
+        if count > most:
+            error("step", Text("has {count} {what}; a replay has at most {most}", count=count, what=what, most=most))
+            steps = []
     for i, row in enumerate(steps):
         _check_step(f"step.{i}", row, error)
     for i, row in enumerate(expects):

@@ -177,10 +177,47 @@ def test_a_file_that_another_program_has_changed_or_made_is_left_alone(path: Pat
         ("\x1b[31ma", False),
         ("a" * 101, False),
         ("\u202ea", False),
+        ("out (2).pdf", True),
+        ("Prüfung_3-b, v1.2.pdf", True),
+        ("console.pdf", True),
+        ("com.pdf", True),
+        ("-o.pdf", False),
+        ("--lang=it.pdf", False),
+        ("~x.pdf", False),
+        ("~.pdf", False),
+        (" a.pdf", False),
+        ("\u00a0a.pdf", False),
+        ("\u3000a.pdf", False),
+        ("a.pdf ", False),
+        ("a.", False),
+        ("CON", False),
+        ("con.pdf", False),
+        ("Nul .pdf", False),
+        ("aux.tar.pdf", False),
+        ("COM1.pdf", False),
+        ("lpt².pdf", False),
+        ("CONIN$", False),
+        ("$(id).pdf", False),
+        ("`id`.pdf", False),
+        ("%TEMP%.pdf", False),
+        ("a;b.pdf", False),
+        ("a&b.pdf", False),
+        ("a'b.pdf", False),
+        ("!a.pdf", False),
+        ("#a.pdf", False),
+        ("@a.pdf", False),
+        ("\U00010348" * 80, False),  # of 320 bytes
+        ("\udcff.pdf", False),
     ],
 )
 def test_bare_names(name: str, bare: bool) -> None:
     assert bare_name(name) == bare
+
+
+@pytest.mark.parametrize("name", ["R&D (50 %).png", "the firm's.png", "~a.png"])
+def test_a_file_that_is_only_read_may_have_a_name_that_none_is_given(name: str) -> None:
+    assert bare_name(name, made=False) and not bare_name(name)
+    assert not bare_name("../a", made=False)
 
 
 def test_same_file(path: Path) -> None:

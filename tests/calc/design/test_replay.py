@@ -3,6 +3,7 @@
 import pytest
 
 from calc.design import replay
+from calc.design.limits import REPLAY_REPORTS, REPLAY_STEPS
 from calc.design.toml_file import design
 from calc.sheet.errors import BadInput
 from calc.solve import solve
@@ -86,11 +87,29 @@ def test_an_edit_that_can_not_be_made_is_named_in_the_replay(tmp_path):
         "a\\n.pdf",
         "\\u001b[2J.pdf",
         "a" * 100 + ".pdf",
+        "-o.pdf",
+        "~x.pdf",
+        "CON.pdf",
+        "$(id).pdf",
+        " a.pdf",
     ],
 )
 def test_a_report_has_a_bare_name(tmp_path, name):
     with pytest.raises(BadInput, match=r"(?s)r\.toml:4: step\.0\.report: .*must be the bare name of a PDF file"):
         replay.load(written(tmp_path, HEAD + f'[[step]]\nreport = "{name}"\n' + EXPECT))
+
+
+@pytest.mark.parametrize(
+    ("step", "most", "what"),
+    [("undo = true", REPLAY_STEPS, "steps"), ('report = "a.pdf"', REPLAY_REPORTS, "steps that write a report")],
+)
+def test_the_work_of_a_replay_has_a_limit(tmp_path, step, most, what):
+    def text(count):
+        return HEAD + f"[[step]]\n{step}\n" * count + EXPECT
+
+    assert len(replay.load(written(tmp_path, text(most))).steps) == most
+    with pytest.raises(BadInput, match=rf"step: has {most + 1} {what}; a replay has at most {most}"):
+        replay.load(written(tmp_path, text(most + 1)))
 
 
 @pytest.mark.parametrize("name", ["", "a\\u0000.toml", "a\\n.toml", "\\u001b[2J"])
