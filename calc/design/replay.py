@@ -104,9 +104,12 @@ class Script:
 
 def load(path: Path | str) -> Script:
     """Read a replay file.  Raises BadInput with every error in it."""
-    path = Path(path)
-    raw = read_as_it_is(path)  # the same care with files that are no TOML
-    data, errors = raw.data, []
+    return script(read_as_it_is(path))  # the same care with files that are no TOML
+
+
+def script(raw: Document) -> Script:
+    """The replay in a TOML text, whose place is that of its file.  Raises BadInput with every error in it."""
+    path, data, errors = Path(raw.place), raw.data, []
 
     def error(key: str, reason: Text, value: object = None) -> None:
         where = key
@@ -287,10 +290,23 @@ def compare(results: "Results", row: Expect) -> Compared:
     text = f"{short(expected, 6)} ± {short(tolerance, 2)} {unit}".rstrip()
     if value is None:
         return Compared(name, text, "no such value", False, kind, source, "is", None)
-    there = value.unit == unit and math.isfinite(value.shown)
+    found = f"{short(value.shown, 6)} {value.unit}".rstrip()
+    if value.unit != unit:
+        return Compared(name, text, wrong_unit(value.unit, unit), False, kind, source, "unit", None)
+    there = math.isfinite(value.shown)
     agrees = there and abs(value.shown - expected) <= tolerance * (1 + 1e-9)
     now = _rounded(value.shown, row) if there else None
-    return Compared(name, text, f"{short(value.shown, 6)} {value.unit}".rstrip(), agrees, kind, source, "is", now)
+    return Compared(name, text, found, agrees, kind, source, "is", now)
+
+
+def wrong_unit(right: str, given: str) -> Text:
+    """What is said of an expectation in another unit than that of its value: nothing was compared."""
+    if not given:
+        return Text('has no unit; the value is in {right}: write unit = "{right}"', right=right)
+    if not right:
+        return Text('the unit {given} is wrong; the value has none: write unit = ""', given=given)
+    sentence = 'the unit {given} is wrong; the value is in {right}: write unit = "{right}", and the number in it'
+    return Text(sentence, given=given, right=right)
 
 
 def _compared_verdict(about: str, row: Expect, verdict: str | None, none: str) -> Compared:
