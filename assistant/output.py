@@ -23,6 +23,8 @@ from calc.sheet.in_ascii import in_ascii
 from calc.sheet.version import VERSION
 from calc.sheet.visible import visible
 
+from .colour import Paint, paint_for
+
 REPLACED = "contralbero.replaced"  # how an encoding treats a sign that it does not have
 
 
@@ -47,18 +49,24 @@ class Unwritable(Exception):
 
 class Outlet:
     """A stream whose text is visible as it is written; all else is the stream's own.  `quiet`: it need not be
-    written."""
+    written; `paint`: colours what is visible already."""
 
-    def __init__(self, stream: TextIO, *, quiet: bool = False) -> None:
-        self.stream, self.quiet = stream, quiet
+    def __init__(self, stream: TextIO, *, quiet: bool = False, paint: Paint | None = None) -> None:
+        self.stream, self.quiet, self.paint = stream, quiet, paint
 
     def write(self, text: str) -> int:
-        self._try(lambda: self.stream.write(visible(text, lines=True)))
+        shown = visible(text, lines=True)
+        self._try(lambda: self.stream.write(self.paint(shown) if self.paint is not None else shown))
         return len(text)
 
     def writelines(self, lines: Iterable[str]) -> None:
         for line in lines:
             self.write(line)
+
+    def write_bytes(self, data: bytes) -> None:
+        """What is no text, as it is."""
+        self.flush()
+        self._try(lambda: self.stream.buffer.write(data))
 
     def flush(self) -> None:
         self._try(self.stream.flush)
@@ -84,7 +92,10 @@ def outlets() -> Iterator[None]:
     for stream in (out, err):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(errors=REPLACED)
-    with contextlib.redirect_stdout(Outlet(out)), contextlib.redirect_stderr(Outlet(err, quiet=True)):
+    with (
+        contextlib.redirect_stdout(Outlet(out, paint=paint_for(out))),
+        contextlib.redirect_stderr(Outlet(err, quiet=True)),
+    ):
         yield
 
 
