@@ -68,7 +68,7 @@ def command(given: list[str], own: bool) -> int:
     try:
         asked, unknown = (parser(given[0]) if given[0] in COMMANDS else parser()).parse_known_args(given)
         if unknown:
-            asked.error(f"unrecognized arguments: {' '.join(unknown)}")  # with the usage of the command
+            asked.refuse(unknown)  # with the usage of the command
         if own:
             os.environ.setdefault(*THREADS)
             gc.set_threshold(*SELDOM)

@@ -19,6 +19,7 @@ from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual
 from calc.library.publications import as_printed
 from calc.sheet.check import SIGNS, URGENT, Check, End
+from calc.sheet.errors import BadInput
 from calc.sheet.number import short
 from calc.sheet.quantity import Published
 from calc.sheet.record import replace
@@ -365,10 +366,10 @@ def check_line(check: Check, verdict: str) -> str:
     return f"{sign(verdict):<9} {check.id:<42} {value}  {check.name}"
 
 
-def print_summary(results: Results) -> None:
+def print_summary(results: Results, everything: bool = False) -> None:
     """The state of a design, what is open, and the verdict of each step."""
     print(results.words())
-    print_findings(results)
+    print_findings(results, everything=everything)
 
 
 def print_findings(results: Results, step: str | None = None, everything: bool = False) -> None:
@@ -489,6 +490,11 @@ def check_json(check: Check, moved: "Sequence[Effect] | None" = None) -> dict[st
 def _end_json(end: End | None) -> float | str | None:
     """The value there, "holds" or "none"; null where nothing is missing."""
     return end if isinstance(end, str) else finite(end)
+
+
+def errors_json(bad: BadInput) -> list[dict[str, Any]]:
+    """What was wrong with an input; `line` 0: of no line."""
+    return [{"line": e.line, "key": e.called or e.key, "value": e.value, "reason": e.reason} for e in bad.errors]
 
 
 def table_json(table: Table) -> dict[str, Any]:

@@ -3,17 +3,17 @@
 is asked for is built, since all of them cost a twelfth of a check."""
 
 import argparse
-import os
-import sys
 from collections.abc import Callable
 from typing import NamedTuple
 
 from calc.sheet.version import VERSION
 
+from .grammar import KEY_VALUE, Parser, all_option, json_option, output_option, quiet_option, set_option
+
 ABOUT = """From the engine's data to the imbalance, the counter-rotating balance shaft, its plain bearings, its gear train and the
 friction it costs.  Without a command: the guided session."""  # noqa: E501
+DESIGNS = "a design, - for standard input, or a folder: all .toml files in it"
 LANGUAGES = ("en", "it")  # the codes of calc.locale, which --help does not load
-KEY_VALUE = "KEY=VALUE"
 Arguments = Callable[[argparse.ArgumentParser], object]
 
 
@@ -57,14 +57,9 @@ def new(it: argparse.ArgumentParser) -> None:
         "reciprocating mass on the crank; shaft, one against the crank at its speed; repeat, two such; pair, one with "
         "the crank and one against it at its speed; second, such a pair at twice its speed; pair_and_second, both",
     )
-    it.add_argument(
-        "--set",
-        action="extend",
-        nargs="+",
-        default=[],
-        metavar=KEY_VALUE,
-        dest="changes",
-        help="numbers of an engine of your own, for which all the rest is built: engine.bore_mm=84; crank_radius_mm, "
+    set_option(
+        it,
+        "numbers of an engine of your own, for which all the rest is built: engine.bore_mm=84; crank_radius_mm, "
         "rod_length_mm, piston_mass_g, rod_mass_g, rod_cg_to_big_end_mm, rated_speed_rpm …; and its name=",
     )
     it.add_argument("--mounts", action="store_true", help="put it on four mounts too")
@@ -73,38 +68,32 @@ def new(it: argparse.ArgumentParser) -> None:
 
 @command("check", "solve a design and print its verdicts, main values and findings")
 def check(it: argparse.ArgumentParser) -> None:
-    it.add_argument("file", nargs="?")
-    it.add_argument(
-        "--set",
-        action="extend",
-        nargs="+",
-        default=[],
-        metavar=KEY_VALUE,
-        dest="changes",
-        help="change inputs for this run",
-    )
+    it.add_argument("files", nargs="*", metavar="FILE", help=DESIGNS)
+    set_option(it)
     it.add_argument("--step", help="this step only, with all its values, tables, notes and checks")
-    it.add_argument(
-        "--all",
-        action="store_true",
-        help="the same of every step, and every finding in full: advice, method, what shares a cause",
-    )
+    all_option(it, "the same of every step, and every finding in full: advice, method, what shares a cause")
+    quiet_option(it, "the state of each design alone")
     it.add_argument("--short", action="store_true", help="with --all or --step: leave out vectors of no length")
     it.add_argument("--strict", action="store_true", help="exit 4 where nothing fails, but not all that is asked holds")
-    it.add_argument("--json", action="store_true", help="print one JSON object")
+    json_option(it, "print one JSON object; of several files a list of them")
 
 
 @command("explain", "the chain of formulas that leads to one value")
 def explain(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument("value", metavar="VALUE_ID", help="like bearings.front.film")
-    it.add_argument("--json", action="store_true", help="print the lines as JSON")
+    json_option(it, "print the lines as JSON")
 
 
 @command("report", "write the calculation report as a PDF, or as a Word document to go on writing")
 def report(it: argparse.ArgumentParser) -> None:
-    it.add_argument("file")
-    it.add_argument("-o", "--output", metavar="OUT", help="default: the design's name with .pdf, in the current folder")
+    it.add_argument("files", nargs="+", metavar="FILE", help=DESIGNS)
+    output_option(
+        it,
+        "OUT",
+        "a .pdf or .docx file, - for standard output, or a folder, which several designs need (default: the design's "
+        "name with .pdf, in the current folder)",
+    )
     it.add_argument(
         "--format",
         choices=("pdf", "docx"),
@@ -114,27 +103,51 @@ def report(it: argparse.ArgumentParser) -> None:
         "--depth", choices=("summary", "engineer", "audit"), default="engineer", help="default: %(default)s"
     )
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="English or Italian (default: %(default)s)")
+    it.add_argument("--fail", action="store_true", help="exit as check does: 1 where a limit fails, 3 without solution")
+    all_option(it, "print every finding in full")
+    quiet_option(it, "print the names of the files alone")
 
 
 @command("verify", "write the report inside a file again: identical, signed, appended to, or not as written")
 def verify(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", metavar="REPORT.pdf")
-    it.add_argument("--all", action="store_true", help="list every difference")
+    all_option(it, "list every difference")
+    quiet_option(it, "print the last line alone: which of the four it is")
     it.add_argument("--original", metavar="OUT.pdf", help="write the part of the file that this program wrote")
 
 
-@command("scenarios", "run scripted designs and compare with what they expect")
+@command("replays", "write a replay: a design, edits, and what comes of them, to be compared ever after")
+def record(it: argparse.ArgumentParser) -> None:
+    it.add_argument("files", nargs="+", metavar="FILE", help=DESIGNS)
+    set_option(it, "edits, each a step of the replay; an empty value takes the key out: KEY=")
+    output_option(
+        it,
+        "OUT",
+        "a .toml file, - for standard output, or a folder, which several designs need (default: the design's name with "
+        "-replay.toml, in the current folder); an existing file is left alone",
+    )
+    quiet_option(it, "print the names of the files alone")
+
+
+@command("replays", "run scripted designs and compare with what they expect")
 def replay(it: argparse.ArgumentParser) -> None:
-    it.add_argument("files", nargs="+", metavar="FILE")
+    it.add_argument(
+        "files", nargs="+", metavar="FILE", help="a replay, - for standard input, or a folder: all .toml files in it"
+    )
     it.add_argument(
         "--update", action="store_true", help="rewrite the expectations that were recorded, and say which moved"
     )
+    it.add_argument("--junit", metavar="OUT.xml", help="write what came out as JUnit XML too, which CI servers show")
+    json_option(it)
+    all_option(it, "print every comparison, not only what differs")
+    quiet_option(it, "print the replays alone in which something differs")
 
 
 @command("choose", "edit a design file in place, comments kept")
 def set_(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument("changes", nargs="+", metavar=KEY_VALUE, help="an empty value takes the key out: KEY=")
+    quiet_option(it, "print the name of the file alone")
 
 
 @command("upgrade", "rewrite designs of schema 1 in schema 2, comments kept")
@@ -161,7 +174,7 @@ def choose(it: argparse.ArgumentParser) -> None:
         choices=("loss", "size", "film"),
         help="bearings: least friction (the default), smallest first, or plain ones of ever more film",
     )
-    it.add_argument("--json", action="store_true", help="print one JSON object")
+    json_option(it)
     it.add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")
     it.add_argument("--apply", type=int, metavar="N", help="write row N into the design file")
 
@@ -177,7 +190,20 @@ def design(it: argparse.ArgumentParser) -> None:
     )
     it.add_argument("--shaft", metavar="NAME", help="which of several shafts; its twins follow, others stay")
     it.add_argument(
-        "--vary", action="extend", nargs="+", metavar="KEY=LO:HI:STEP", help="also KEY=VALUE,VALUE,… and KEY=fixed"
+        "--vary",
+        action="extend",
+        nargs="+",
+        default=[],
+        metavar="KEY=LO:HI:N",
+        help="N values from LO to HI; also KEY=VALUE,VALUE,… and KEY=fixed",
+    )
+    it.add_argument(
+        "--spaced",
+        action="extend",
+        nargs="+",
+        default=[],
+        metavar="KEY=LO:HI:STEP",
+        help="values from LO on, STEP apart, up to HI",
     )
     it.add_argument("--most", action="extend", nargs="+", metavar="NAME=X", help="power_W, mass_kg, seat_mm, price_EUR")
     it.add_argument("--least", action="extend", nargs="+", metavar="NAME=X", help="margin_percent")
@@ -208,9 +234,10 @@ def design(it: argparse.ArgumentParser) -> None:
     )
     it.add_argument("--seed", type=int, metavar="N", help="of the search without proof (default: 1)")
     it.add_argument("--dry", action="store_true", help="say what would be searched, and search nothing")
-    it.add_argument("--json", action="store_true", help="print one JSON object")
+    json_option(it)
+    quiet_option(it, "leave out what is said while it searches")
     it.add_argument("--pick", type=int, metavar="N", help="write drive N of the folder into the file")
-    it.add_argument("-o", "--output", metavar="NEW.toml", help="with --pick: into this file instead")
+    output_option(it, "NEW.toml", "with --pick: into this file instead")
 
 
 @command("compare", "two designs side by side: what got better and worse, the inputs that differ")
@@ -218,13 +245,11 @@ def compare(it: argparse.ArgumentParser) -> None:
     it.add_argument("a", metavar="A", help="a design file")
     it.add_argument("b", metavar="B", help="another one, or the same")
     kinds = it.add_mutually_exclusive_group()
-    kinds.add_argument("--json", action="store_true", help="print one JSON object, with all that differs")
+    json_option(kinds, "print one JSON object, with all that differs")
     kinds.add_argument(
         "-o", "--output", metavar="OUT.pdf", help="write the comparison as a PDF report, which verify checks"
     )
-    it.add_argument(
-        "--all", action="store_true", help="then all checks and values that differ, tables of one design written out"
-    )
+    all_option(it, "then all checks and values that differ, tables of one design written out")
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="of the PDF (default: %(default)s)")
 
 
@@ -259,12 +284,11 @@ def sweep(it: argparse.ArgumentParser) -> None:
     it.add_argument(
         "--seed", type=int, default=1, metavar="N", help="of what is drawn at random (default: %(default)s)"
     )
-    it.add_argument(
-        "--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs first"
-    )
+    set_option(it, "change inputs first")
     it.add_argument("--step", help="this step only; imbalance alone computes thousands of designs in a second")
     it.add_argument("--values", action="extend", nargs="+", default=[], metavar="VALUE_ID", help="these columns only")
-    it.add_argument("-o", "--output", metavar="OUT", help="a .csv or .parquet file (default: CSV to the terminal)")
+    output_option(it, "OUT", "a .csv or .parquet file (default: -, CSV to standard output)")
+    quiet_option(it, "print no progress and no summary")
     it.add_argument("--processes", type=int, metavar="N", help="default: one for each core")
     it.add_argument(
         "--scheduler", metavar="ADDRESS", help="of dask.distributed, whose workers compute instead: tcp://HOST:8786"
@@ -298,9 +322,10 @@ def export(it: argparse.ArgumentParser) -> None:
     beside.add_argument(
         "--map", action="store_true", help="the strikes of the gears over speed and load instead of the values (--csv)"
     )
-    it.add_argument(
-        "-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides"
+    output_option(
+        it, "PATH", "the file; without a format its ending decides; -: standard output, with a format", required=True
     )
+    quiet_option(it, "print the names of the files alone")
 
 
 @command("session", "the guided session in a browser, on this machine only")
@@ -319,12 +344,12 @@ def scenarios(it: argparse.ArgumentParser) -> None:
     it.add_argument(
         "-o", "--output", metavar="FOLDER", help="also write the curves as CSV and a report as PDF for each design"
     )
-    it.add_argument("--json", action="store_true", help="print one JSON object")
+    json_option(it)
 
 
 @command("published", "values printed, worked out or measured by others beside ours; what is not met, and why")
 def validate(it: argparse.ArgumentParser) -> None:
-    it.add_argument("--json", action="store_true", help="print one JSON object")
+    json_option(it)
 
 
 @command("published", "what is wrong in the documents behind this program, with the right values")
@@ -333,20 +358,20 @@ def errata(it: argparse.ArgumentParser) -> None:
         "source", nargs="?", metavar="SOURCE", help="one document, by a word of its name: finotti, textbook, friction"
     )
     written = it.add_mutually_exclusive_group()
-    written.add_argument("--json", action="store_true", help="print one JSON object")
+    json_option(written)
     written.add_argument("--markdown", action="store_true", help="all of it as a page of tables")
 
 
 @command("published", "the oils a design may name, or one with the source and confidence of every value")
 def oils(it: argparse.ArgumentParser) -> None:
     it.add_argument("name", nargs="?", metavar="NAME", help="like '5W-30'; left out: all")
-    it.add_argument("--json", action="store_true", help="print one JSON object")
+    json_option(it)
 
 
 @command("published", "the journals of balance shafts that makers print, or all of one engine's sheet with its address")
 def makers(it: argparse.ArgumentParser) -> None:
     it.add_argument("name", nargs="?", metavar="NAME", help="an engine, or a word of its name; left out: all")
-    it.add_argument("--json", action="store_true", help="print one JSON object")
+    json_option(it)
 
 
 @command("setup", "the JSON Schema of a design file, by which editors complete and check it")
@@ -354,7 +379,7 @@ def schema(it: argparse.ArgumentParser) -> None:
     it.add_argument(
         "--schema", type=int, choices=(1, 2), default=2, help="1: of designs as version 0.1 wrote them (default: 2)"
     )
-    it.add_argument("-o", "--output", metavar="OUT.json", help="default: to the terminal")
+    output_option(it, "OUT.json", "default: -, to standard output")
 
 
 @command("setup", "the script by which a shell completes commands and options")
@@ -367,7 +392,12 @@ def sources(it: argparse.ArgumentParser) -> None:
     it.add_argument(
         "name", nargs="?", metavar="NAME", help="a publication, or a word of its name or title; left out: all"
     )
-    it.add_argument("--json", action="store_true", help="print one JSON object")
+    json_option(it)
+
+
+@command("setup", "how a command is used, or which commands there are")
+def help_(it: argparse.ArgumentParser) -> None:
+    it.add_argument("topic", nargs="?", metavar="COMMAND")
 
 
 @command("session", "the guided session (the same as no command)")
@@ -377,24 +407,12 @@ def session(it: argparse.ArgumentParser) -> None:
     it.add_argument("--lang", choices=LANGUAGES, help="English or Italian, this time (default: as set in the session)")
 
 
-class Help(argparse.HelpFormatter):
-    """As wide as the terminal, which argparse asks of shutil for every argument: 4 ms of imports."""
-
-    def __init__(self, prog: str) -> None:
-        try:
-            columns = int(os.environ.get("COLUMNS") or os.get_terminal_size(sys.__stdout__.fileno()).columns)  # type: ignore[union-attr]
-        except (ValueError, OSError, AttributeError):
-            columns = 80
-        super().__init__(prog, width=max(columns, 20) - 2)
-
-
-def parser(*only: str) -> argparse.ArgumentParser:
+def parser(*only: str) -> Parser:
     """Of these commands, or of all."""
-    top = argparse.ArgumentParser(
+    top = Parser(
         prog="contralbero",
         description=ABOUT,
-        formatter_class=Help,
-        epilog="contralbero COMMAND --help tells more. contralbero [FILE] [--lang en|it] [--ascii] opens the guided "
+        epilog="contralbero help COMMAND tells more. contralbero [FILE] [--lang en|it] [--ascii] opens the guided "
         "session.",
     )
     top.add_argument("--version", action="version", version=f"contralbero {VERSION}")
@@ -402,7 +420,7 @@ def parser(*only: str) -> argparse.ArgumentParser:
     commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands", prog="contralbero")
     for name in only or COMMANDS:
         _, about, arguments = COMMANDS[name]
-        it = commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".", formatter_class=Help)
+        it = commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".")
         arguments(it)
-        it.set_defaults(error=it.error)  # says how this command is used
+        it.set_defaults(refuse=it.refuse)  # says how this command is used
     return top

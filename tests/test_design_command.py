@@ -11,7 +11,7 @@ from tests.conftest import DESIGNS
 
 FEW = (
     "--vary",
-    "shafts.shaft.core_radius_mm=13:17:1",
+    "shafts.shaft.core_radius_mm=13:17:5",
     "shafts.shaft.bearings.rear.diameter_mm=84,85,86",
     "shafts.shaft.bearings.front.diameter_mm=58.5,62",
     "shafts.shaft.material=20CrNi4",
@@ -112,7 +112,7 @@ def test_one_object_of_json(copy, tmp_path):
         ((), "--out FOLDER"),
         (
             ("--out", "{d}", "--vary", "shafts.shaft.bearings.rear.diameter_mm=80:90", "--most", "seat_mm=q"),
-            "LO:HI:STEP",
+            "LO:HI:N",
         ),
         (("--out", "{d}", "--most", "weight_kg=3"), "weight_kg"),
         (("--out", "{d}", "--vary", "shafts.shaft.bearings.rear.diametre_mm=80,90"), "diametre_mm"),

@@ -119,7 +119,7 @@ def children(pid):
 
 MANY = (
     "--vary",
-    "countershaft.core_radius_mm=13:17:1",
+    "countershaft.core_radius_mm=13:17:5",
     "bearings.rear.diameter_mm=84,85,86",
     "bearings.front.diameter_mm=58.5,62",
     "countershaft.material=20CrNi4,ADI",

@@ -59,7 +59,8 @@ def test_a_report_is_not_written_over_the_logo_beside_its_design(tmp_path: Path)
     path = shutil.copy(DESIGNS / "timing_pair.toml", tmp_path / "d.toml")
     path.write_text(path.read_text("utf-8") + '\n[document]\nlogo = "logo.png"\n', "utf-8")
     (tmp_path / "logo.png").write_bytes(before := png())
-    done = run("report", path, "--depth", "summary", "-o", tmp_path / "logo.png", cwd=tmp_path)
+    (tmp_path / "r.pdf").symlink_to(tmp_path / "logo.png")
+    done = run("report", path, "--depth", "summary", "-o", tmp_path / "r.pdf", cwd=tmp_path)
     assert done.returncode == 2 and "an input of this very command" in done.stderr
     assert (tmp_path / "logo.png").read_bytes() == before
 

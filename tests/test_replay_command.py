@@ -104,6 +104,6 @@ def test_update_rewrites_what_was_recorded_and_nothing_else(folder: Path) -> Non
         and changed[0][1].endswith("# of the first teeth")
         and changed[1][0] == 'verdict = "no_solution"'
     )
-    assert (folder / "r.toml.bak").read_text("utf-8") == before
+    assert not (folder / "r.toml.bak").exists()
     again = run("replay", file, "--update", cwd="/")
     assert " → " not in again.stdout and "2 of 3 as expected" in again.stdout and file.read_text("utf-8") == after

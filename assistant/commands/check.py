@@ -8,13 +8,15 @@ from argparse import Namespace
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from typing import Any
 
-from assistant.results_text import print_results, results_json
+from assistant.named_files import each, files_of, read_design
+from assistant.results_text import errors_json, print_results, results_json, state_words
 from calc.design.addresses import Table, address, every, parse_assignment
 from calc.design.limits import SEARCH_SECONDS
 from calc.design.locks import standing
 from calc.design.model import STEPS, Design
-from calc.design.toml_file import Document, design, read
+from calc.design.toml_file import Document, design
 from calc.design.upgrade import current
 from calc.sheet.errors import BadInput, Cancelled, InputError
 from calc.sheet.progress import at_most
@@ -26,35 +28,61 @@ TRIES = 40  # designs that may be solved for checks that no search is made for: 
 
 
 def run_check(asked: Namespace) -> int:
+    """Of several files one block each; the exit code is the worst of theirs."""
     known_step(asked.step)
-    file, changes = asked.file, list(asked.changes)
-    if file is None and changes and "=" not in changes[-1]:
-        file = changes.pop()  # `check --set KEY=VALUE FILE`
-    if file is None:
+    names, changes = list(asked.files), list(asked.changes)
+    while not asked.files and changes and "=" not in changes[-1]:
+        names.insert(0, changes.pop())  # `check --set KEY=VALUE FILE`
+    if not names:
         raise BadInput(
             "contralbero check",
-            [InputError(0, "", "", Text("needs a design; usage: contralbero check FILE [--set KEY=VALUE …]"))],
+            [InputError(0, "", "", Text("needs a design; usage: contralbero check FILE… [--set KEY=VALUE …]"))],
         )
-    document, changed_design = changed(read(file), changes)
+    files = files_of(names)
+    if files == names and len(files) == 1:
+        code, about = _check(asked, files[0], changes)
+        if asked.json:
+            _print_json(about)
+        return code
+    objects: list[dict[str, Any]] = []
+
+    def work(file: str) -> int:
+        if not asked.json and not asked.quiet:
+            print(f"{'' if file is files[0] else chr(10)}{file}")
+        code, about = _check(asked, file, changes, f"{file}: " if asked.quiet else "")
+        objects.append({"file": file, **about})
+        return code
+
+    code = each(files, work, lambda file, bad: objects.append({"file": file, "errors": errors_json(bad)}))
+    if asked.json:
+        _print_json(objects)
+    return code
+
+
+def _print_json(found: object) -> None:
+    print(json.dumps(found, ensure_ascii=False, indent=1))
+
+
+def _check(asked: Namespace, file: str, changes: Sequence[str], before: str = "") -> tuple[int, dict[str, Any]]:
+    """One design; gives its exit code and its JSON, which is empty where nobody asked for it."""
+    document, changed_design = changed(read_design(file), changes)
     results = solve(changed_design)
     state = results.verdict if asked.step is None else results.outcomes[asked.step].verdict
+    code = exit_code(state, asked.strict)
     if asked.json:
+        return code, results_json(document, results, asked.step, changes, measured=True)
+    if asked.quiet:
+        print(f"{before}{state_words(results, asked.step)}")
+        return code, {}
+    print_results(results, asked.step, everything=not asked.short, findings=asked.all)
+    if asked.step is None and not asked.all:
         print(
-            json.dumps(
-                results_json(document, results, asked.step, changes, measured=True), ensure_ascii=False, indent=1
-            )
+            f"\nall values, tables and checks: --all, or --step {'|'.join(step.key for step in changed_design.asked())}"
         )
-    else:
-        print_results(results, asked.step, everything=not asked.short, findings=asked.all)
-        if asked.step is None and not asked.all:
-            print(
-                f"\nall values, tables and checks: --all, or --step "
-                f"{'|'.join(step.key for step in changed_design.asked())}"
-            )
-        sys.stdout.flush()  # the verdicts are there before the search ends
-        if state in EXITS:
-            print("\n" + "\n".join(nearest_passing(document, results, file, changes, asked.step, short=asked.short)))
-    return exit_code(state, asked.strict)
+    sys.stdout.flush()  # the verdicts are there before the search ends
+    if state in EXITS:
+        print("\n" + "\n".join(nearest_passing(document, results, file, changes, asked.step, short=asked.short)))
+    return code, {}
 
 
 def nearest_passing(

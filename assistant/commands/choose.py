@@ -14,6 +14,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from assistant.commands.check import changed
+from assistant.named_files import STANDARD, put, read_design, spoken
 from assistant.offers import Offer
 from assistant.offers import offer as offer_for
 from assistant.results_text import LINE, check_line, print_findings, print_summary, sign, table_json, table_lines
@@ -23,7 +24,7 @@ from assistant.session.saving import NeedsUpgrade, asked_for, saved_text, write_
 from calc.design.disk import edit_file
 from calc.design.limits import DESIGN_BYTES
 from calc.design.model import TITLES, Design
-from calc.design.toml_file import Document, design, parse, read
+from calc.design.toml_file import Document, design, parse
 from calc.sheet.check import URGENT
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import COMMA, EMPTY, Text
@@ -37,7 +38,7 @@ def run_choose(asked: Namespace) -> int:
         if near := get_close_matches(asked.step, CHOICES, 1, 0.75):
             reason = Text("did you mean {near}? {reason}", near=near[0], reason=reason)
         raise BadInput("contralbero choose", [InputError(0, "STEP", asked.step, reason)])
-    document = read(asked.file)
+    document = read_design(asked.file)
     parsed = design(document)
     if asked.top < 1:
         raise BadInput("--top", [InputError(0, "", str(asked.top), Text("must be a number of rows, 1 or more"))])
@@ -98,11 +99,21 @@ def _locked(document: Document, offer: Offer) -> Text:
 def _write(path: Path, document: Document, changes: list[str], step: str, words: str) -> None:
     """Put a row into the file and say so; then the verdicts, the warnings of this step, and of the others what fails or
     is worse than before."""
-    before = document.raw.decode("utf-8")
     changed_document, changed_design = changed(document, changes)
     text = _saved(document.raw, changed_document, path)
-    write_asked(path, text, expected=document.raw)
-    print(f"{path} {words}; as it was before: {path}.bak")
+    if str(path) == STANDARD:
+        put(STANDARD, text)
+    else:
+        write_asked(path, text, backup=True, expected=document.raw)
+    with spoken(str(path)):
+        _print_choice(path, document, changes, step, words, text, changed_design)
+
+
+def _print_choice(
+    path: Path, document: Document, changes: list[str], step: str, words: str, text: str, changed_design: Design
+) -> None:
+    before = document.raw.decode("utf-8")
+    print(f"{path} {words}" + (f"; as it was before: {path}.bak" if str(path) != STANDARD else ""))
     if shut := locked_text(document, changes):
         print(Text("This {changes}", changes=shut))
     for comment in (Counter(_comments(before)) - Counter(_comments(text))).elements():
@@ -139,16 +150,24 @@ def _comments(text: str) -> list[str]:
 
 
 def run_set(asked: Namespace) -> int:
+    """In place, or from standard input to standard output."""
     path = Path(asked.file)
-    read(path)  # what is wrong with it is said as of any design
-    edit(path, asked.changes)
-    print(f"\n{path} is written; as it was before: {path}.bak")
+    document = read_design(asked.file)  # what is wrong with it is said as of any design
+    if asked.file == STANDARD:
+        document, made = changed(document, asked.changes)
+        put(STANDARD, _saved(document.raw, document, path))
+    else:
+        made = edit(path, asked.changes)
+    with spoken(asked.file):
+        if not asked.quiet:
+            print_summary(solve(made))
+        if asked.file != STANDARD:
+            print(path if asked.quiet else f"\n{path} is written; as it was before: {path}.bak")
     return 0
 
 
-def edit(path: Path, changes: Sequence[str]) -> None:
-    """Put KEY=VALUE changes into a design as its file has it when nobody else writes, and print the verdicts that it
-    has then."""
+def edit(path: Path, changes: Sequence[str]) -> Design:
+    """Put KEY=VALUE changes into a design as its file has it when nobody else writes."""
     made: Design
 
     def edited(raw: bytes) -> bytes:
@@ -158,4 +177,4 @@ def edit(path: Path, changes: Sequence[str]) -> None:
 
     with asked_for(path):
         edit_file(path, DESIGN_BYTES, edited)
-    print_summary(solve(made))
+    return made

@@ -11,13 +11,14 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from assistant.named_files import STANDARD, demand_ending, files_of, put, read_design, spoken
 from assistant.results_text import LINE, finite, sign, table_lines
 from assistant.session.saving import spare
 from calc.design.model import STEPS
 from calc.design.predicted import compared_table
-from calc.design.toml_file import Document, design, read
+from calc.design.toml_file import Document, design
 from calc.sheet.check import Check
-from calc.sheet.errors import BadInput, InputError
+from calc.sheet.errors import BadInput
 from calc.sheet.step import Table
 from calc.sheet.text import Text, plural
 from calc.sheet.version import VERSION
@@ -42,10 +43,14 @@ Sides = tuple[tuple[Document, Results], tuple[Document, Results]]
 
 def run_compare(asked: Namespace) -> int:
     """What is wrong with either file is said at once."""
+    files_of([asked.a, asked.b])  # standard input is one of them at most
+    if asked.output and asked.output != STANDARD:
+        spare(Path(asked.output), asked.a, asked.b)
+        demand_ending(asked.output, "pdf")
     solved, wrong = [], []
     for name in (asked.a, asked.b):
         try:
-            document = read(name)
+            document = read_design(name)
             solved.append((document, design(document)))
         except BadInput as bad:
             wrong.append(str(bad))
@@ -56,8 +61,7 @@ def run_compare(asked: Namespace) -> int:
     sides = ((a, solve(made_a)), (b, solve(made_b)))
     comparison = compare(a.data, b.data, sides[0][1], sides[1][1])
     if asked.output:
-        spare(Path(asked.output), asked.a, asked.b)
-        return _write(sides, comparison, Path(asked.output), asked.lang, asked.all)
+        return _write(sides, comparison, asked.output, asked.lang, asked.all)
     if asked.json:
         print(json.dumps(comparison_json(sides, comparison), ensure_ascii=False, indent=1, default=str))  # a date
     else:
@@ -65,26 +69,15 @@ def run_compare(asked: Namespace) -> int:
     return 0
 
 
-def _write(sides: Sides, comparison: Comparison, path: Path, lang: str, everything: bool) -> int:
-    from reports.comparison import write
+def _write(sides: Sides, comparison: Comparison, output: str, lang: str, everything: bool) -> int:
+    from reports.comparison import render
 
     names = column_names(*(Path(document.place).stem for document, _ in sides))
-    try:
-        write(*sides, comparison, names, path, lang=lang, everything=everything)
-    except OSError as error:
-        raise BadInput(
-            str(path),
-            [
-                InputError(
-                    0,
-                    "",
-                    "",
-                    Text("cannot be written: {reason}; choose another place", reason=error.strerror or str(error)),
-                )
-            ],
-        ) from None
-    print("\n".join(sentences(comparison, names, sign)) if not comparison.equal else EQUAL)
-    print(f"\n{path}")
+    put(output, render(*sides, comparison, names, lang=lang, everything=everything), [d.place for d, _ in sides])
+    with spoken(output):
+        print("\n".join(sentences(comparison, names, sign)) if not comparison.equal else EQUAL)
+        if output != STANDARD:
+            print(f"\n{output}")
     return 0
 
 

@@ -16,12 +16,13 @@ from typing import Any
 import numpy as np
 
 from assistant.commands.check import changed
+from assistant.named_files import STANDARD, put, read_design
 from assistant.results_text import print_summary, table_json, table_lines
 from assistant.session.saving import asked_for, make_folder, saved_text, spare, write_asked
 from calc.design.disk import read_file
 from calc.design.limits import DESIGN_BYTES, FRONT_BYTES
-from calc.design.toml_file import Document, design, parse, read
-from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.design.toml_file import Document, design, parse
+from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
 from calc.sheet.text import Text, plural
 from calc.solve import solve
 from calc.studies.drive.classes import NotClosed, without_proof
@@ -29,7 +30,7 @@ from calc.studies.drive.evolve import EVALUATIONS, evolved
 from calc.studies.drive.front import NAME as FRONT
 from calc.studies.drive.front import Broken, searched
 from calc.studies.drive.output import csv_text, json_text, power_of_ten, said, stood, table
-from calc.studies.drive.problem import Problem
+from calc.studies.drive.problem import MOST_VALUES, Problem
 from calc.studies.drive.refusal import refusal
 from calc.studies.drive.search import FrontFound, FrontTable, asked, named, search
 from calc.studies.drive.solved_drive import Whole
@@ -41,7 +42,7 @@ SEARCHING = 0.7  # of the time that is given is for the classes, the rest for so
 
 
 def run_design(given: Namespace) -> int:
-    document, _ = changed(read(given.file), [])
+    document, _ = changed(read_design(given.file), [])
     if given.out is None and not given.dry:
         raise BadInput(
             "contralbero design",
@@ -76,8 +77,8 @@ def own_keys(given: Namespace) -> dict[str, object]:
     for name in ("most", "least"):
         if getattr(given, name):
             keys[name] = dict(_bound(bound, f"--{name}", errors) for bound in getattr(given, name))
-    if given.vary:
-        keys["vary"] = dict(_vary(varied, errors) for varied in given.vary)
+    if given.vary or given.spaced:
+        keys["vary"] = _varied(given, errors)
     if given.rows is not None and not 1 <= given.rows <= 2000:
         errors.append(InputError(0, "--rows", str(given.rows), Text("must be a whole number from 1 to 2000")))
     if given.time is not None and not 0 < given.time < float("inf"):
@@ -96,23 +97,51 @@ def _bound(text: str, option: str, errors: list[InputError]) -> tuple[str, float
         return name.strip(), 0.0
 
 
-def _vary(text: str, errors: list[InputError]) -> tuple[str, object]:
-    """KEY=LO:HI:STEP, KEY=A,B or KEY=fixed; pairs of fits or surfaces are joined by a stroke: IT6/IT7."""
-    key, _, rest = text.partition("=")
-    key, rest = key.strip(), rest.strip()
+def _varied(given: Namespace, errors: list[InputError]) -> dict[str, object]:
+    """What --vary and --spaced say, by their keys; each may be said once."""
+    keys: dict[str, object] = {}
+    for option, texts, read_range in (("--vary", given.vary, _vary), ("--spaced", given.spaced, _spaced)):
+        for text in texts:
+            key, _, rest = (part.strip() for part in text.partition("="))
+            try:
+                if key in keys:
+                    raise ValueError(Text("stands twice; give all its values at once"))
+                keys[key] = read_range(rest)
+            except ValueError as wrong:
+                errors.append(InputError(0, option, text, text_of(wrong)))
+                keys.setdefault(key, ["?"])
+    return keys
+
+
+def _vary(rest: str) -> object:
+    """LO:HI:N, A,B or fixed; pairs of fits or surfaces are joined by a stroke: IT6/IT7."""
     if rest == "fixed":
-        return key, rest
-    parts = rest.split(":")
+        return rest
+    if rest and ":" not in rest:
+        return [_value(value.strip()) for value in rest.split(",")]
+    low, high, number = _three(rest, Text("must be KEY=LO:HI:N, KEY=VALUE,VALUE,… or KEY=fixed"))
+    if not (number.is_integer() and (number > 1 if high > low else number == 1)):
+        reason = "N must be a whole number of values, 2 or more; values a step apart are --spaced KEY=LO:HI:STEP"
+        raise ValueError(Text(reason))
+    if number > MOST_VALUES:
+        raise ValueError(Text("N must be at most {most} values", most=MOST_VALUES))
+    return [round(value, 9) for value in np.linspace(low, high, int(number)).tolist()]
+
+
+def _spaced(rest: str) -> object:
+    """LO:HI:STEP."""
+    low, high, step = _three(rest, Text("must be KEY=LO:HI:STEP"))
+    return {"from": low, "to": high, "step": step}
+
+
+def _three(rest: str, form: Text) -> tuple[float, float, float]:
     try:
-        if len(parts) == 3:
-            low, high, step = map(float, parts)
-            return key, {"from": low, "to": high, "step": step}
+        low, high, third = map(float, rest.split(":"))
     except ValueError:
-        parts = []
-    if not rest or len(parts) != 1:
-        errors.append(InputError(0, "--vary", text, Text("must be KEY=LO:HI:STEP, KEY=VALUE,VALUE,… or KEY=fixed")))
-        return key, ["?"]
-    return key, [_value(value.strip()) for value in rest.split(",")]
+        raise ValueError(form) from None
+    if not low <= high < float("inf") or not np.isfinite(low):
+        raise ValueError(Text("must go from a lower number to a higher one"))
+    return low, high, third
 
 
 def _value(text: str) -> Any:
@@ -150,9 +179,11 @@ def _no_proof(why: Text, evaluations: int) -> Text:
 
 def _search(given: Namespace, problem: Problem) -> int:
     folder = Path(given.out)
+    if folder.exists() and not folder.is_dir():
+        raise BadInput(str(folder), [InputError(0, "--out", "", Text("is a file; give the name of a folder"))])
     if os.path.isdir(folder):
         _spare_others(folder, Path(given.file))
-    quiet = given.json
+    quiet = given.json or given.quiet
     if given.processes is not None and given.processes < 1:
         raise BadInput(
             "contralbero design", [InputError(0, "--processes", str(given.processes), Text("must be 1 or more"))]
@@ -207,7 +238,7 @@ def _search(given: Namespace, problem: Problem) -> int:
     if not front.drives:
         return nothing(given, front)
     write(folder, front)
-    if quiet:
+    if given.json:
         print(
             json.dumps(json.loads(json_text(front)) | {"table": table_json(table(front))}, ensure_ascii=False, indent=1)
         )
@@ -226,12 +257,12 @@ def _search(given: Namespace, problem: Problem) -> int:
 
 def _without_proof(given: Namespace, problem: Problem, why: NotClosed, enough: Callable[[], bool]) -> FrontFound:
     """Where the closed form does not hold: said at once, with what it means."""
-    evaluations = given.evaluations or EVALUATIONS
-    if not given.json:
+    evaluations, quiet = given.evaluations or EVALUATIONS, given.json or given.quiet
+    if not quiet:
         print(_no_proof(why.text, evaluations), flush=True)
 
     def told(done: int, most: int, passing: int) -> None:
-        if not given.json:
+        if not quiet:
             print(Text("  {done} of {most} solved, {passing} pass", done=done, most=most, passing=passing), flush=True)
 
     return evolved(problem, evaluations, problem.seed, told, enough)
@@ -288,9 +319,9 @@ def write(folder: Path, front: FrontFound) -> None:
     for old in _drives(folder):
         old.unlink()
     for n, drive in enumerate(front.drives, 1):
-        write_asked(folder / f"{n:03d}.toml", drive_text(front.problem, drive.document), backup=False)
-    write_asked(folder / "front.csv", csv_text(front), backup=False)
-    write_asked(folder / FRONT, json_text(front), backup=False)
+        write_asked(folder / f"{n:03d}.toml", drive_text(front.problem, drive.document))
+    write_asked(folder / "front.csv", csv_text(front))
+    write_asked(folder / FRONT, json_text(front))
 
 
 def drive_text(problem: Problem, drive: Document) -> str:
@@ -315,9 +346,12 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
         raise BadInput(str(folder), [InputError(0, "--pick", str(given.pick), why)])
     results = solve(design(parse(raw, str(row))))
     target = Path(given.output) if given.output else source
+    if str(target) == STANDARD:
+        put(STANDARD, raw)
+        return 0
     if given.output:
         spare(target, given.file)
-    write_asked(target, raw.decode("utf-8"), expected=None if given.output else document.raw)
+    write_asked(target, raw.decode("utf-8"), backup=True, expected=None if given.output else document.raw)
     print(Text("{target} is now drive {n} of {folder}", target=str(target), n=given.pick, folder=str(folder)), end="")
     print("" if given.output else Text("; as it was before: {file}.bak", file=str(target)))
     print_summary(results)

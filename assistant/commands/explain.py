@@ -10,6 +10,7 @@ from textwrap import fill
 from typing import Any
 
 from assistant.commands.published import reference_lines
+from assistant.named_files import read_design
 from assistant.results_text import shaft_words
 from calc.bearings.plain.result import PlainResult
 from calc.bearings.support import OnShaftResult
@@ -17,7 +18,7 @@ from calc.countershaft.result import CountershaftResult
 from calc.design.addresses import every, quantities, quantity_of, value_at
 from calc.design.key_results import outside
 from calc.design.model import Design
-from calc.design.toml_file import Document, load
+from calc.design.toml_file import Document
 from calc.design.toml_file import design as design_of
 from calc.design.upgrade import current
 from calc.friction.inputs import FrictionInputs
@@ -39,8 +40,8 @@ SCENARIOS = dotted(Design.friction, FrictionInputs.scenarios)
 
 
 def run_explain(asked: Namespace) -> int:
-    document, design = load(asked.file)
-    return _explain(asked, document, design)
+    document = read_design(asked.file)
+    return _explain(asked, document, design_of(document))
 
 
 def _scenario(asked: Namespace, document: Document, design: Design) -> int:

@@ -6,15 +6,28 @@ JSON or CSV, the shaft or the gears as a DXF drawing."""
 
 import sys
 from argparse import Namespace
+from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
+from assistant.commands.check import exit_code
+from assistant.named_files import (
+    STANDARD,
+    demand_ending,
+    each,
+    files_of,
+    is_folder,
+    put,
+    read_design,
+    spoken,
+    targets_in,
+)
 from assistant.results_text import print_summary
 from assistant.session.exporting import KINDS, drawings, draws_gears, exported, gears_text, map_text, transfer_text
-from assistant.session.saving import spare, write_asked
+from assistant.session.saving import spare
 from calc.design.disk import read_file
 from calc.design.limits import FRONT_BYTES
-from calc.design.toml_file import Document, design, read
+from calc.design.toml_file import Document, design
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import COMMA, Amount, Text
 from calc.solve import Results, solve
@@ -25,38 +38,42 @@ PACKAGES = {"python-docx": "docx", "pypdfium2": "pypdfium2"}  # of the extra `do
 
 
 def run_report(asked: Namespace) -> int:
-    source = Path(asked.file)
-    document = read(source)
-    kind, target = _target(asked, source)
-    spare(target, asked.file)
-    try:
-        results = solve(design(document))
-        if kind == "docx":
-            from reports.docx.docx_file import write as write_docx
+    """Of several designs each by itself; with --fail the exit code is the worst that `check` has for them."""
+    files = files_of(asked.files)
+    jobs = _jobs(asked, files)
+    if len(files) == 1:
+        return _report(asked, files[0], *jobs[files[0]])
 
-            write_docx(document, results, document.raw, target, depth=asked.depth, lang=asked.lang)
-        else:
-            from reports.report import write
+    def work(file: str) -> int:
+        if not asked.quiet:
+            print(f"{'' if file is files[0] else chr(10)}{file}")
+        return _report(asked, file, *jobs[file])
 
-            front = _front(source, document)
-            write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang, front=front)
-    except OSError as error:
-        raise BadInput(
-            str(target),
-            [
-                InputError(
-                    0,
-                    "",
-                    "",
-                    Text(
-                        "cannot be written: {reason}; choose another place with -o", reason=error.strerror or str(error)
-                    ),
-                )
-            ],
-        ) from None
-    print_summary(results)
-    print(f"\n{target}")
-    return 0
+    return each(files, work, lambda file, bad: None)
+
+
+def _report(asked: Namespace, file: str, kind: str, target: str) -> int:
+    document = read_design(file)
+    if target != STANDARD:
+        spare(Path(target), file)
+    results = solve(design(document))
+    from reports.report import inputs_of, render  # with matplotlib and reportlab
+
+    if kind == "docx":
+        from reports.docx.docx_file import render as render_docx
+
+        content = render_docx(document, results, document.raw, depth=asked.depth, lang=asked.lang)
+    else:
+        front = _front(Path(file), document)
+        content = render(document, results, document.raw, depth=asked.depth, lang=asked.lang, front=front)
+    put(target, content, inputs_of(document, results))
+    with spoken(target):
+        if not asked.quiet:
+            print_summary(results, asked.all)
+            print()
+        if target != STANDARD:
+            print(target)
+    return exit_code(results.verdict) if asked.fail else 0
 
 
 def _front(source: Path, document: Document) -> bytes | None:
@@ -89,24 +106,38 @@ def _front(source: Path, document: Document) -> bytes | None:
     return raw
 
 
-def _target(asked: Namespace, source: Path) -> tuple[str, Path]:
-    """What is to be written, and where.  What can not be is said before anything is solved."""
-    target = Path(asked.output) if asked.output else None
-    ending = target.suffix.lower().removeprefix(".") if target is not None else ""
-    kind = asked.format or (ending if ending in ENDINGS else "pdf")
-    if ending in ENDINGS and ending != kind:
-        reason = Text("ends in .{ending}, but --format {kind} writes .{kind}", ending=ending, kind=kind)
-        raise BadInput("contralbero report", [InputError(0, "-o", str(target), reason)])
+def _jobs(asked: Namespace, files: Sequence[str]) -> dict[str, tuple[str, str]]:
+    """What is to be written for each design, and where.  What can not be is said before anything is solved."""
+    output, several = asked.output, len(files) > 1
+    folder = output is None or is_folder(output, several)
+    if several and not folder:
+        reason = Text("is one file, for {n} designs; give a folder", n=len(files))
+        raise BadInput("contralbero report", [InputError(0, "-o", output, reason)])
+    if folder or output == STANDARD:
+        kind = asked.format or "pdf"
+    else:
+        spare(Path(output), *files)
+        kind = demand_ending(output, *ENDINGS)
+        if asked.format not in (None, kind):
+            reason = Text("ends in .{ending}, but --format {kind} writes .{kind}", ending=kind, kind=asked.format)
+            raise BadInput("contralbero report", [InputError(0, "-o", output, reason)])
     if kind == "docx":
-        if asked.depth == "audit":
-            reason = Text("is written as a PDF only: take --depth engineer, or leave --format out")
-            raise BadInput("contralbero report", [InputError(0, "--depth", "audit", reason)])
-        if missing := [package for package, module in PACKAGES.items() if find_spec(module) is None]:
-            reason = Text(
-                "needs {packages}: `pip install {packages}`; the PDF needs nothing more", packages=" ".join(missing)
-            )
-            raise BadInput("contralbero report", [InputError(0, "--format", "docx", reason)])
-    return kind, target or Path(f"{source.stem}.{kind}")
+        _demand_docx(asked)
+    if not folder:
+        return {file: (kind, output) for file in files}
+    targets = targets_in(output, files, f".{kind}")
+    return {file: (kind, target) for file, target in targets.items()}
+
+
+def _demand_docx(asked: Namespace) -> None:
+    if asked.depth == "audit":
+        reason = Text("is written as a PDF only: take --depth engineer, or leave --format out")
+        raise BadInput("contralbero report", [InputError(0, "--depth", "audit", reason)])
+    if missing := [package for package, module in PACKAGES.items() if find_spec(module) is None]:
+        reason = Text(
+            "needs {packages}: `pip install {packages}`; the PDF needs nothing more", packages=" ".join(missing)
+        )
+        raise BadInput("contralbero report", [InputError(0, "--format", "docx", reason)])
 
 
 # --- contralbero export
@@ -116,9 +147,11 @@ FINEST, COARSEST = 1e-3, 1e3  # chord error, µm: below, the file grows without 
 
 def run_export(asked: Namespace) -> int:
     target = Path(asked.output)
+    to_standard = asked.output == STANDARD
     kind = asked.kind or target.suffix.lower().removeprefix(".")
-    document = read(asked.file)
-    spare(target, asked.file)
+    document = read_design(asked.file)
+    if not to_standard:
+        spare(target, asked.file)
     wrong = _target_errors(kind, target) + _drawing_errors(asked, kind)
     try:
         parsed = design(document)
@@ -131,13 +164,25 @@ def run_export(asked: Namespace) -> int:
         files = {target: transfer_text(document, results)}
     elif asked.map:
         files = {target: map_text(document, results)}
+    elif kind == "dxf":
+        files = _drawings(asked, document, results)
     else:
-        files = _drawings(asked, document, results) if kind == "dxf" else exported(target, document, results)
+        files = exported(target.with_name(f"{target.name}.{kind}") if to_standard else target, document, results)
+    if to_standard:
+        if len(files) > 1:
+            reason = Text("takes one drawing, and this design has {n} shafts; give a file", n=len(files))
+            raise BadInput("contralbero export", [InputError(0, "-o", STANDARD, reason)])
+        put(STANDARD, next(iter(files.values())))
+        with spoken(STANDARD):
+            if not asked.quiet:
+                print_summary(results)
+        return 0
     for path, text in files.items():
-        spare(path, asked.file)
-        write_asked(path, text, inputs=[asked.file])
-    print_summary(results)
-    print("", *files, sep="\n")
+        put(str(path), text, [asked.file])
+    if not asked.quiet:
+        print_summary(results)
+        print()
+    print(*files, sep="\n")
     return 0
 
 
@@ -145,10 +190,12 @@ def _target_errors(kind: str, target: Path) -> list[InputError]:
     """What is wrong with the file that was asked for: its ending says what stands in it."""
     known = COMMA.join(Text(".{kind} ({what})", kind=name, what=what) for name, what in KINDS.items())
     ending = target.suffix
+    if str(target) == STANDARD and kind not in KINDS:
+        return [InputError(0, "-o", STANDARD, Text("has no ending; give --json, --csv or --dxf"))]
     if kind not in KINDS:
         fault = Text("the ending {ending} is not known", ending=ending) if ending else Text("has no ending")
         return [InputError(0, "-o", str(target), Text("{fault}; known are {endings}", fault=fault, endings=known))]
-    if ending.lower() != f".{kind}":
+    if str(target) != STANDARD and ending.lower() != f".{kind}":
         fault = Text("ends in {ending}", ending=ending) if ending else Text("has no ending")
         return [InputError(0, "-o", str(target), Text("{fault}, but --{kind} writes .{kind}", fault=fault, kind=kind))]
     return []

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero scenarios` and `contralbero replay`: several conditions side by side, and scripted designs run again.
+"""`contralbero scenarios`: a train under several conditions side by side, by the judged model and by the friction
+source's.
 
-scenarios: a train under several conditions, by the judged model and by the friction source's.  Without a file: the
-three scenarios of the gear friction thesis.  With -o, the curves of each design as CSV, and its report as PDF.  replay:
-runs scripted designs and compares with what they expect."""
+Without a file: the three scenarios of the gear friction thesis.  With -o, the curves of each design as CSV, and its
+report as PDF."""
 
 import csv
 import json
@@ -13,15 +13,11 @@ from io import StringIO
 from pathlib import Path
 from typing import Any
 
-import tomli_w
-
+from assistant.named_files import read_design
 from assistant.results_text import table_json, table_lines
-from assistant.session.saving import asked_for, edited_text, make_folder, spare, write_asked
-from calc.design import replay
-from calc.design.disk import read_file, write_file
-from calc.design.limits import PDF_BYTES
+from assistant.session.saving import asked_for, make_folder, spare, write_asked
 from calc.design.model import Design
-from calc.design.toml_file import Document, design, read
+from calc.design.toml_file import Document, design
 from calc.friction.inputs import FrictionInputs
 from calc.friction.result import FrictionResult
 from calc.friction.studies.scenarios import ALONG, MODELS, tables
@@ -79,7 +75,7 @@ def run_scenarios(asked: Namespace) -> int:
 
 
 def _solved(path: Path) -> tuple[Document, Results]:
-    document = read(path)
+    document = read_design(str(path))
     parsed = design(document)
     if parsed.friction is None or not parsed.friction.scenarios:
         key = dotted(Design.friction, FrictionInputs.scenarios)
@@ -128,65 +124,3 @@ def curves_text(scenarios: dict[str, Any]) -> str:
                 for x, *values in zip(local.x * 1e3, *columns):
                     rows.writerow((key, words, name, f"{x:.6g}", *(f"{value:.6g}" for value in values)))
     return file.getvalue()
-
-
-# --- contralbero replay
-# A replay may be a stranger's: the reports that it asks for are new files beside it, or take the place of reports of
-# this program.
-
-
-def run_replay(asked: Namespace) -> int:
-    scripts = [replay.load(file) for file in asked.files]
-    for script in scripts:
-        for step in script.steps:
-            if "report" in step:
-                _replaced(replay.target(script, step))
-    differs = False
-    for script in scripts:
-        compared = replay.run(script, solve, _report)
-        updated = _update(script, replay.moved(compared)) if asked.update else []
-        failed = [c for c in compared if not c.agrees and c not in updated]
-        differs |= bool(failed) or not compared
-        agree = Text("{n} of {all} as expected", n=len(compared) - len(failed), all=len(compared))
-        print(f"{script.place}: {agree if compared else Text('nothing was compared: it has no [[expect]]')}")
-        for c in updated:
-            print(f"  {c.about}: {c.expected} → {c.found}")
-        for c in failed:
-            print(f"  {c.text}")
-    return 1 if differs else 0
-
-
-def _update(script: replay.Script, moved: dict[int, replay.Compared]) -> list[replay.Compared]:
-    """Writes into the replay what its recorded expectations have come to; comments stay."""
-    if moved:
-        changes = [(("expect", n, c.under), c.now) for n, c in moved.items()]
-        write_asked(Path(script.place), edited_text(script.raw.decode("utf-8"), changes), expected=script.raw)
-    return [*moved.values()]
-
-
-def _report(document: Document, results: Results, path: Path) -> None:
-    from reports.report import render
-
-    print(Text("writes {path}", path=str(path)), flush=True)
-    old = _replaced(path)
-    pdf = render(document, results, tomli_w.dumps(document.data).encode("utf-8"))
-    with asked_for(path):
-        write_file(path, pdf, expected=old, new=old is None)
-
-
-def _replaced(path: Path) -> bytes | None:
-    """The report that stands where one is to be written, None where nothing does.  Raises BadInput for anything
-    else."""
-    with asked_for(path):
-        if not path.is_symlink() and not path.exists():
-            return None
-        raw = read_file(path, PDF_BYTES)
-    from reports.pdf.attach import is_report
-
-    if path.is_symlink() or not is_report(raw):
-        reason = Text(
-            "is there, and is no report as this program writes it; a replay leaves it alone: move it away, or run it "
-            "elsewhere"
-        )
-        raise BadInput(str(path), [InputError(0, "", "", reason)])
-    return raw

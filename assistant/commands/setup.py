@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero new`, `schema` and `completion`: what is made once.
+"""`contralbero new`, `schema`, `completion` and `help`: what is made once, and how the rest is used.
 
 A design of a shipped engine or a shipped design as it is, the JSON Schema by which editors complete and check a design,
 the script by which a shell completes commands."""
@@ -7,9 +7,11 @@ the script by which a shell completes commands."""
 import os
 import sys
 from argparse import Namespace
+from difflib import get_close_matches
 from pathlib import Path
 
-from assistant.session.saving import write_asked
+from assistant.named_files import STANDARD, demand_ending, put
+from assistant.usage import COMMANDS, parser
 from calc.design.addresses import parse_assignment
 from calc.design.model import Design, step_of
 from calc.design.schema import schema_text
@@ -17,6 +19,22 @@ from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
 from calc.studies.shipped import designs, engine_alone, engine_design, engines, shipped_name
+
+# --- contralbero help [COMMAND]
+
+
+def run_help(asked: Namespace) -> int:
+    if asked.topic is None:
+        parser().print_help()
+    elif asked.topic in COMMANDS:
+        parser(asked.topic).parse_args([asked.topic, "--help"])  # which ends here
+    else:
+        near = get_close_matches(asked.topic, COMMANDS, 1)
+        hint = Text("did you mean {near}?", near=near[0]) if near else Text("`contralbero help` lists them")
+        reason = Text("is no command; {hint}", hint=hint)
+        raise BadInput("contralbero help", [InputError(0, "", asked.topic, reason)])
+    return 0
+
 
 # --- contralbero completion SHELL
 
@@ -39,12 +57,12 @@ def run_completion(asked: Namespace) -> int:
 
 
 def run_schema(asked: Namespace) -> int:
-    text = schema_text(asked.schema)
-    if asked.output is None:
-        print(text, end="")
-    else:
-        write_asked(Path(asked.output), text)
-        print(asked.output)
+    output = asked.output or STANDARD
+    if output != STANDARD:
+        demand_ending(output, "json")
+    put(output, schema_text(asked.schema))
+    if output != STANDARD:
+        print(output)
     return 0
 
 
@@ -84,14 +102,14 @@ def run_new(asked: Namespace) -> int:
             errors += bad.errors
     if errors:
         raise BadInput("contralbero new", errors)
-    path = Path(asked.file)
     try:
         text = engine_design(asked.engine, asked.arrangement, changes, asked.mounts)
     except NoSolution as none:
         print(f"no solution: {none.text}", file=sys.stderr)
         return 3
-    write_asked(path, text, new=True)
-    print(path)
+    put(asked.file, text, new=True)
+    if asked.file != STANDARD:
+        print(Path(asked.file))
     return 0
 
 
@@ -99,7 +117,7 @@ def _no_target(file: str | None) -> list[InputError]:
     """What is wrong with the name of the file to write."""
     if file is None:
         return [InputError(0, "FILE", "", Text("needs the name of the file to write, like my_engine.toml"))]
-    if os.path.lexists(file):
+    if file != STANDARD and os.path.lexists(file):
         return [InputError(0, file, "", Text("exists already and is left alone; choose another name"))]
     return []
 
@@ -118,6 +136,7 @@ def _example(asked: Namespace) -> int:
             errors.append(InputError(0, option, "", reason))
     if errors:
         raise BadInput("contralbero new", errors)
-    write_asked(Path(asked.file), known[name].read_bytes().decode("utf-8"), new=True)
-    print(asked.file)
+    put(asked.file, known[name].read_bytes(), new=True)
+    if asked.file != STANDARD:
+        print(asked.file)
     return 0

@@ -6,15 +6,17 @@ import sys
 import time
 from argparse import Namespace
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from assistant.commands.check import changed, known_step
+from assistant.named_files import STANDARD, demand_ending, read_design
 from assistant.results_text import sign
 from assistant.session.saving import asked_for, spare
 from calc.design.disk import demand_writable, write_file
 from calc.design.model import Design
-from calc.design.toml_file import Document, read
+from calc.design.toml_file import Document
 from calc.design.unusual import told, unusual
 from calc.sheet.check import ORDER
 from calc.sheet.errors import BadInput, InputError, NoSolution
@@ -24,26 +26,30 @@ from calc.studies.sweep.inputs import same_input
 from calc.studies.sweep.run import designs
 from calc.studies.sweep.table import NO_DESIGN, InFolder, columns, key_of, parquet, write_csv, write_parquet
 
+ENDINGS = ("csv", "parquet")
 OFTEN = 2.0  # seconds between two lines of progress
 
 
 def run_sweep(asked: Namespace) -> int:
     known_step(asked.step)
-    if asked.output is not None:
-        spare(Path(asked.output), asked.file, *([asked.list] if asked.list is not None else []))
-    document, _ = changed(read(asked.file), asked.changes)
+    output = None if asked.output == STANDARD else asked.output
+    if output is not None:
+        spare(Path(output), asked.file, *([asked.list] if asked.list is not None else []))
+        demand_ending(output, *ENDINGS)
+    document, _ = changed(read_design(asked.file), asked.changes)
     task = Sweep(document, plan(document, asked), asked.step, tuple(asked.values))
     processes = asked.processes if asked.processes is not None else os.cpu_count() or 1
     if processes < 1:
         raise BadInput("contralbero sweep", [InputError(0, "--processes", str(processes), Text("must be 1 or more"))])
     try:
-        if asked.output is not None:
-            return _to_file(task, Path(asked.output), asked.file, processes, asked.scheduler or "")
+        if output is not None:
+            return _to_file(task, Path(output), asked, processes)
         with TemporaryDirectory(prefix="contralbero-") as folder:
             store = _store(task, Path(folder))
-            swept(task, store, Progress(task.plan.count), processes, asked.scheduler or "")
+            swept(task, store, _progress(task, asked), processes, asked.scheduler or "")
             counts = write_csv(sys.stdout, document, task.plan.inputs, store)
-        print(_summary(counts, task), file=sys.stderr)
+        if not asked.quiet:
+            print(_summary(counts, task), file=sys.stderr)
     except NoSolution as none:
         print(f"{asked.file}: {none}", file=sys.stderr)
         return 3
@@ -100,11 +106,15 @@ class Progress:
         )
 
 
+def _progress(task: Sweep, asked: Namespace) -> Callable[[int], None]:
+    return (lambda done: None) if asked.quiet else Progress(task.plan.count)
+
+
 def _store(task: Sweep, folder: Path) -> InFolder:
     return InFolder(folder, key_of(task.document, task.plan, task.step, task.wanted))
 
 
-def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str) -> int:
+def _to_file(task: Sweep, path: Path, asked: Namespace, processes: int) -> int:
     """The chunks are kept beside the file until it is whole."""
     as_parquet = path.suffix.lower() == ".parquet"
     if as_parquet:
@@ -114,14 +124,14 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
     store = _store(task, path.with_name(f"{path.name}.parts"))
     try:
         with store.shared():
-            swept(task, store, Progress(task.plan.count), processes, scheduler)
+            swept(task, store, _progress(task, asked), processes, asked.scheduler or "")
             draft = store.draft()
             if as_parquet:
                 counts = write_parquet(draft, task.document, task.plan.inputs, store)
             else:
                 with open(draft, "x", encoding="utf-8", newline="") as table:
                     counts = write_csv(table, task.document, task.plan.inputs, store)
-            write_file(path, draft, backup=True, inputs=[file])
+            write_file(path, draft, inputs=[asked.file])
             draft.unlink()
             width = len(columns(task.document, task.plan.inputs, store).header)
     except KeyboardInterrupt:
@@ -134,7 +144,9 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
         reason = Text("cannot be written: {reason}", reason=error.strerror or str(error))
         raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
     store.clear()
-    print(f"{_summary(counts, task)}\n{path}: {width} columns")
+    if not asked.quiet:
+        print(_summary(counts, task))
+    print(f"{path}: {width} columns")
     return 0
 
 

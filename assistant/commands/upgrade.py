@@ -7,19 +7,23 @@ from difflib import unified_diff
 from functools import partial
 from pathlib import Path
 
+from assistant.named_files import STANDARD, files_of, put, read_design, spoken
 from assistant.session.saving import asked_for
 from calc.design.disk import edit_file
 from calc.design.limits import DESIGN_BYTES
-from calc.design.toml_file import design, parse, read
+from calc.design.toml_file import design, parse
 from calc.design.upgrade_text import UpgradedText, upgraded_text
 from calc.sheet.text import Text, plural
 
 
 def run_upgrade(asked: Namespace) -> int:
-    paths = [Path(name) for name in asked.files]
-    made = [(path, *_made(path, read(path).raw)) for path in paths]
+    """From standard input to standard output, or in place."""
+    paths = [Path(name) for name in files_of(asked.files)]
+    made = [(path, *_made(path, read_design(str(path)).raw)) for path in paths]
     for path, before, after in made:
-        if after.text == before:
+        if str(path) == STANDARD and not asked.dry:
+            put(STANDARD, after.text)
+        elif after.text == before:
             print(Text("{path} is of schema 2 already", path=str(path)))
         elif asked.dry:
             print(_difference(path, before, after.text), end="")
@@ -28,7 +32,8 @@ def run_upgrade(asked: Namespace) -> int:
                 edit_file(path, DESIGN_BYTES, partial(_bytes, path))
             print(Text("{path} is written in schema 2; as it was before: {path}.bak", path=str(path)))
         if not after.kept:
-            _print_afresh(path, after)
+            with spoken(str(path)):
+                _print_afresh(path, after)
     return 0
 
 

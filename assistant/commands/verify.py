@@ -4,7 +4,8 @@
 from argparse import Namespace
 from pathlib import Path
 
-from calc.design.disk import read_file, write_file
+from assistant.named_files import STANDARD, demand_ending, put, spoken, standard_input
+from calc.design.disk import read_file
 from calc.design.limits import PDF_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
@@ -26,7 +27,9 @@ LAST = {
 
 def run_verify(asked: Namespace) -> int:
     path = Path(asked.file)
-    raw = _bytes(path)
+    if asked.original not in (None, STANDARD):
+        demand_ending(asked.original, "pdf", option="--original")
+    raw = standard_input(PDF_BYTES) if asked.file == STANDARD else _bytes(path)
     found = verify(raw, str(path))
     lines = [f"{path}: {found.design}"]
     lines += [f"made with {name} {theirs}; here is {ours}" for name, (theirs, ours) in others(found.made).items()]
@@ -41,10 +44,11 @@ def run_verify(asked: Namespace) -> int:
     if asked.original is not None:
         if not found.original:
             raise BadInput(str(path), [InputError(0, "", "", Text("does not begin with what this program writes"))])
-        written = write_file(Path(asked.original), found.original, inputs=[path])
-        lines += [f"the report as it was written: {written}"]
-    for line in [*lines, LAST[found.verdict]]:
-        print(visible(line))  # what stands in the file may hold anything; a terminal must not obey it
+        put(asked.original, found.original, [path])
+        lines += [f"the report as it was written: {asked.original}"] if asked.original != STANDARD else []
+    with spoken(asked.original):
+        for line in [*([] if asked.quiet else lines), LAST[found.verdict]]:
+            print(visible(line))  # what stands in the file may hold anything; a terminal must not obey it
     if found.verdict in (Verdict.IDENTICAL, Verdict.SIGNED):
         return 0
     return 1 if found.differences or found.changed else 4

@@ -593,7 +593,7 @@ class WorkbenchEdits(WorkbenchMoves):
         """Runs in another thread."""
         try:
             _, results = draft.solved()
-            write_atomic(path, recording.text(results).encode("utf-8"), inputs=[draft.home])
+            write_atomic(path, recording.text(results).encode("utf-8"), backup=False, inputs=[draft.home])
         except Exception as error:  # the recording is not lost by it
             self.call_later(
                 self._wrote,

@@ -73,11 +73,13 @@ class Recording:
                 states.append(after)
         return replayed
 
-    def text(self, results: "Results") -> str:
-        """The replay file.  `results` are those of the design as it is now."""
+    def text(self, results: "Results", start: str | None = None) -> str:
+        """The replay file.  `results` are those of the design as it is now; `start`: the path of the file that the
+        design was read from, which then stands for it, so that a later edit of the file is noticed."""
         import tomli_w
 
-        head = tomli_w.dumps({"schema": SCHEMA, "name": results.design.name, "design": self.start})
+        design = self.start if start is None else start
+        head = tomli_w.dumps({"schema": SCHEMA, "name": results.design.name, "design": design})
         rows = [*(("step", row) for row in self.steps()), *(("expect", row) for row in expected(results))]
         return "\n".join([head, *(_row(key, row) for key, row in rows)])
 

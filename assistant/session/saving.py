@@ -267,15 +267,17 @@ def make_folder(folder: Path, option: str) -> None:
 
 def write_asked(
     path: Path,
-    text: str,
-    backup: bool = True,
+    content: str | bytes,
+    backup: bool = False,
     inputs: Iterable[str | Path] = (),
     expected: bytes | None = None,
     new: bool = False,
 ) -> None:
-    """Write a file that a command was asked for.  Raises BadInput with the reason where it can not be written."""
+    """Write a file that a command was asked for.  Raises BadInput with the reason where it can not be written.
+    `backup`: for designs alone, which a user wrote; what is generated can be generated again."""
+    data = content.encode("utf-8") if isinstance(content, str) else content
     with asked_for(path):
-        write_file(path, text.encode("utf-8"), backup=backup, inputs=inputs, expected=expected, new=new)
+        write_file(path, data, backup=backup, inputs=inputs, expected=expected, new=new)
 
 
 @contextlib.contextmanager
