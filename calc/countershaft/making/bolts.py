@@ -627,8 +627,8 @@ SLIP_VDI = CheckRule(
     Text("Safety against slip while the load turns, as VDI 2230 asks for"),
     source=Text("VDI 2230-1, R12, from memory: 1.8 where the load comes from alternate sides, 1.2 where it stands"),
     advice=Text(
-        "More or larger bolts, a larger torque, or rows of bolts further apart; or the friction of the joint, where it "
-        "is known to be more."
+        "More or larger bolts, a larger torque, or rows of bolts further apart; or more friction of the joint, where it is "
+        "known."
     ),
     demand=True,
     cause="countershaft.J.slip",
