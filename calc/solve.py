@@ -92,6 +92,10 @@ class Results:
         fails = [f"  {check}" for check in self.checks() if check.verdict == "fail"]
         return "\n".join([aligned(f"{self.design.name}: {self.words()}", iter(rows)), *fails])
 
+    def __getstate__(self) -> dict[str, object]:
+        """To another process go the numbers, curves and words; not what only speeds the next solve in this one."""
+        return vars(self) | {"parts": {}, "_values": {}, "_of_field": {}}
+
     def result(self, kind: type[R]) -> R | None:
         """What the step gave whose results are of this class; None where it is not solved."""
         return next((outcome.result for outcome in self.outcomes.values() if isinstance(outcome.result, kind)), None)

@@ -2,6 +2,7 @@
 """What is shown of the bearings of a shaft beside their values, each kind by its own."""
 
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from ..sheet.deferred import Later
@@ -26,10 +27,12 @@ def shown(told: Told, result: BearingsResult, bearings: Bearings) -> dict[str, A
                 n for kind, those in kinds.items() for n in KINDS[kind].notes(told.inputs, told.solved, those)
             )
         ),
-        further=lambda: Further(
-            curves=Later(lambda: (c for kind, those in kinds.items() for c in KINDS[kind].charts(those)))
-        ),
+        further=partial(_charts, kinds),
     )
+
+
+def _charts(kinds: Mapping[str, dict[str, Carrying]]) -> Further:
+    return Further(curves=Later(lambda: (c for kind, those in kinds.items() for c in KINDS[kind].charts(those))))
 
 
 def of_kinds(bearings: Bearings) -> dict[str, dict[str, Carrying]]:

@@ -109,6 +109,10 @@ class Formula(Generic[P, R]):
             return linked(value, line)
         return value
 
+    def __reduce__(self) -> str:
+        """Sent to another process by its name, as a function is."""
+        return self.__name__
+
     def __repr__(self) -> str:
         return f"<formula {self.symbol}: {self.source}>"
 

@@ -4,7 +4,7 @@
 import cmath
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Generic, Literal, TypeVar, cast
 
 from .arrays import Array
@@ -293,14 +293,7 @@ def joined(
     )
     every = [(name, outcome) for name, outcome in outcomes.items()]
 
-    def further() -> Further:
-        more = [(name, outcome.further()) for name, outcome in every if outcome.further is not None]
-        return Further(
-            curves=Later(lambda: (curve.of_one(name) for name, one in more for curve in one.curves)),
-            tables=tuple(table.of_one(key, name) for name, one in more for table in one.tables),
-            notes=tuple(_said_of(name, note) for name, one in more for note in one.notes),
-        )
-
+    longer = [(name, outcome.further) for name, outcome in every if outcome.further is not None]
     return Outcome(
         key,
         worst,
@@ -313,9 +306,18 @@ def joined(
         proposals=tuple(_said_of(name, words) for name, outcome in every for words in outcome.proposals),
         notes=Later(lambda: (_said_of(name, note) for name, outcome in every for note in outcome.notes)),
         reason=reason,
-        further=further if any(outcome.further is not None for _, outcome in every) else None,
+        further=partial(_further, key, longer) if longer else None,
         key_curves=Later(lambda: (curve.of_one(name) for name, outcome in every for curve in outcome.key_curves)),
         computes=any(outcome.computes for _, outcome in every),
+    )
+
+
+def _further(key: str, longer: Sequence[tuple[str, Callable[[], Further]]]) -> Further:
+    more = [(name, make()) for name, make in longer]
+    return Further(
+        curves=Later(lambda: (curve.of_one(name) for name, one in more for curve in one.curves)),
+        tables=tuple(table.of_one(key, name) for name, one in more for table in one.tables),
+        notes=tuple(_said_of(name, note) for name, one in more for note in one.notes),
     )
 
 
