@@ -15,7 +15,7 @@ from ..imbalance.shaft_pair import best_height_difference
 from ..sheet.check import Check, CheckRule
 from ..sheet.deferred import Later
 from ..sheet.functions import argument, conj, degrees
-from ..sheet.quantity import dotted
+from ..sheet.quantity import declared, dotted
 from ..sheet.record import replace
 from ..sheet.step import Curve, Outcome, Series, axis_label
 from ..sheet.text import COMMA, SPACE, Amount, Name, Text, listed
@@ -122,7 +122,7 @@ RESIDUAL = CheckRule(
     moved_by=MASSES,
     short=Text("couple left"),
     proven=(),
-    proven_where=ImbalanceResult.required_couple,
+    proven_where=declared(ImbalanceResult).required_couple,
 )
 RESIDUAL_FORCE = CheckRule(
     "countershaft.residual_force",
@@ -136,7 +136,7 @@ RESIDUAL_FORCE = CheckRule(
     moved_by=MASSES,
     short=Text("force left"),
     proven=(),
-    proven_where=ImbalanceResult.required_force,
+    proven_where=declared(ImbalanceResult).required_force,
 )
 RESIDUAL_SHARE = CheckRule(
     "countershaft.residual_share",
@@ -148,7 +148,7 @@ RESIDUAL_SHARE = CheckRule(
     moved_by=MASSES,
     short=Text("couple left"),
     proven=(),
-    proven_where=ImbalanceResult.required_couple,
+    proven_where=declared(ImbalanceResult).required_couple,
 )
 RESIDUAL_FORCE_SHARE = CheckRule(
     "countershaft.residual_force_share",
@@ -161,7 +161,7 @@ RESIDUAL_FORCE_SHARE = CheckRule(
     moved_by=MASSES,
     short=Text("force left"),
     proven=(),
-    proven_where=ImbalanceResult.required_force,
+    proven_where=declared(ImbalanceResult).required_force,
 )
 
 

@@ -10,7 +10,7 @@ OFFERED = {
     "angular_speed": ".formulas",
     "displacement": ".formulas",
     "mean_piston_speed": ".formulas",
-    "solve_engine": ".solve:values",
+    "solve_engine": ".solve",
 }
 __all__ = [*OFFERED]
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from ..sheet.check import Check, CheckRule
-from ..sheet.quantity import dotted
+from ..sheet.quantity import declared, dotted
 from ..sheet.text import Text
 from ..sheet.value import based_on
 from .crank import DUST, TURN
@@ -63,7 +63,7 @@ RATED_POWER = CheckRule(
     Text("Correct the rated power, or the gas: what the crank gives is what the gas gives less the friction."),
     role="self",
     zero="0.1 MPa",
-    value_id=dotted("engine", EngineResult.brake_mean_pressure),
+    value_id=dotted("engine", declared(EngineResult).brake_mean_pressure),
     limit_id=dotted("engine", TorqueResult.indicated_mean_pressure),
     moved_by=(dotted("engine", EngineInputs.rated_power),),
     short=Text("power"),
@@ -105,7 +105,7 @@ LAMBDA_USUAL = CheckRule(
     source=Text(
         "Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3"
     ),
-    value_id=dotted("engine", EngineResult.lambda_),
+    value_id=dotted("engine", declared(EngineResult).lambda_),
     moved_by=(dotted("engine", EngineInputs.rod_length), dotted("engine", EngineInputs.crank_radius)),
 )
 EVEN_FIRING = CheckRule(

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the engine gives: masses, kinematics and harmonics, the torque about its crank, the stresses of a throw."""
 
+from typing import Generic
+
+from ..sheet.arrays import Value
 from ..sheet.quantity import Stated, group, result, value, values
 from ..sheet.text import Text
 from ..sheet.units import (
-    CubicMetre,
-    Kilogram,
     Metre,
     MetrePerSecond,
     MetrePerSecond2,
@@ -14,7 +15,6 @@ from ..sheet.units import (
     Number,
     Pascal,
     Radian,
-    RadPerSecond,
     Watt,
 )
 from .crank import Crank
@@ -127,29 +127,29 @@ class Cylinder:
 
 
 @result
-class EngineResult:
+class EngineResult(Generic[Value]):
     """Masses, kinematics and harmonics of an engine."""
 
-    reciprocating_mass: Kilogram = value(
+    reciprocating_mass: Value = value(
         "Reciprocating mass per cylinder", "g", "M_alt", short=True, taken_by=("imbalance",)
     )
-    rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot", short=True)
-    lambda_: Number = value("Crank ratio", "", "λ", short=True, headline=2, taken_by=("imbalance",))
-    delta: Number = value("Offset ratio", "", "δ")
-    angular_speed: RadPerSecond = value("Angular speed", "rad/s", "ω", short=True)
-    tdc_angle: Radian = value("Crank angle at TDC", "°", "φ_0")
-    stroke: Metre = value("Stroke", "mm", "s", short=True, headline=1)
-    displacement: CubicMetre = value("Displacement", "cm³", "V_h", short=True)
-    mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m", short=True)
-    brake_mean_pressure: Pascal | None = value("Brake mean effective pressure", "bar", "p_me", default=None, short=True)
-    piston_speed_max: MetrePerSecond = value("Largest piston speed", "m/s", "v_max")
-    piston_speed_max_angle: Radian = value("Crank angle of the largest piston speed", "°", "α_v")
-    acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max", short=True)
-    acceleration_min: MetrePerSecond2 = value("Smallest piston acceleration", "m/s²", "a_min")
-    acceleration_min_angle: Radian = value("Crank angle of the smallest acceleration", "°")
-    firing_interval: Radian | None = value("Firing interval, on average", "°", "Δ", default=None)
-    firing_interval_shortest: Radian | None = value("Shortest firing interval", "°", default=None)
-    firing_interval_longest: Radian | None = value("Longest firing interval", "°", default=None)
+    rotating_mass: Value = value("Rotating mass per cylinder", "g", "M_rot", short=True)
+    lambda_: Value = value("Crank ratio", "", "λ", short=True, headline=2, taken_by=("imbalance",))
+    delta: Value = value("Offset ratio", "", "δ")
+    angular_speed: Value = value("Angular speed", "rad/s", "ω", short=True)
+    tdc_angle: Value = value("Crank angle at TDC", "°", "φ_0")
+    stroke: Value = value("Stroke", "mm", "s", short=True, headline=1)
+    displacement: Value = value("Displacement", "cm³", "V_h", short=True)
+    mean_piston_speed: Value = value("Mean piston speed", "m/s", "u_m", short=True)
+    brake_mean_pressure: Value | None = value("Brake mean effective pressure", "bar", "p_me", default=None, short=True)
+    piston_speed_max: Value = value("Largest piston speed", "m/s", "v_max")
+    piston_speed_max_angle: Value = value("Crank angle of the largest piston speed", "°", "α_v")
+    acceleration_max: Value = value("Largest piston acceleration", "m/s²", "a_max", short=True)
+    acceleration_min: Value = value("Smallest piston acceleration", "m/s²", "a_min")
+    acceleration_min_angle: Value = value("Crank angle of the smallest acceleration", "°")
+    firing_interval: Value | None = value("Firing interval, on average", "°", "Δ", default=None)
+    firing_interval_shortest: Value | None = value("Shortest firing interval", "°", default=None)
+    firing_interval_longest: Value | None = value("Longest firing interval", "°", default=None)
     harmonic: dict[str, Stated] | None = group(default=None, words="harmonic")
     cylinder: dict[str, Cylinder] | None = group(default=None, words="cylinder")
     torque: TorqueResult | None = group(spread=True, default=None)

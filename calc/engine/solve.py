@@ -3,11 +3,13 @@
 crank."""
 
 from collections.abc import Iterable, Mapping
+from typing import Any, overload
 
 import numpy as np
 
 from ..library.catalogue import Material
-from ..sheet.arrays import Array, ComplexArray
+from ..sheet.arguments import given_inputs
+from ..sheet.arrays import Array, ComplexArray, Num
 from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.formula import formula
@@ -293,3 +295,19 @@ def _crank_table(engine: EngineInputs, e: EngineResult, fires: Firing) -> Table:
             "the flywheel."
         ),
     )
+
+
+# --- from Python, in SI: `from calc import engine`
+
+
+@overload
+def solve_engine(engine: EngineInputs) -> EngineResult[float]: ...
+@overload
+def solve_engine(engine: EngineInputs, **varied: Num) -> EngineResult[Array]: ...
+def solve_engine(engine: EngineInputs, **varied: Any) -> EngineResult[Any]:
+    """Masses, kinematics and harmonics of an engine.
+
+    `engine`: in SI, as EngineInputs say.  `varied`: numbers of it that are others, by their names; they may be arrays
+    of one length, an engine each: so are the results.  BadInput where a number lies outside of the range that it has in
+    a design file."""
+    return values(given_inputs("solve_engine", engine, varied))

@@ -14,7 +14,7 @@ from ..gears.rating.checks import LINE_LOAD, MICROPITTING_FILM
 from ..library import oils
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.deferred import Later
-from ..sheet.quantity import dotted
+from ..sheet.quantity import declared, dotted
 from ..sheet.record import replace
 from ..sheet.remedy import by_key
 from ..sheet.step import Erratum, Outcome
@@ -198,7 +198,7 @@ LAMBDA = CheckRule(
     source=Text("AGMA 925-A03: mixed friction below about 1"),
     advice=Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed."),
     cause=MICROPITTING_FILM.cause,
-    value_id=dotted("friction", "M", MeshLoss.lambda_min),
+    value_id=dotted("friction", "M", declared(MeshLoss).lambda_min),
     moved_by=(dotted("friction", FrictionInputs.flank_roughness), *TEMPERATURES),
 )
 MESH_MODELS = CheckRule(
@@ -207,7 +207,7 @@ MESH_MODELS = CheckRule(
     "The loss is known no better than the models agree; the teeth hold.",
     sense="<=",
     source=Text("rule of this program; published models of tooth friction differ by as much among themselves"),
-    value_id=dotted("friction", "M", MeshLoss.sliding_loss),
+    value_id=dotted("friction", "M", declared(MeshLoss).sliding_loss),
     moved_by=(
         dotted("friction", FrictionInputs.load_share),
         dotted("friction", FrictionInputs.solid_friction),
@@ -221,7 +221,7 @@ DEBORAH = CheckRule(
     sense="<=",
     source=Text("{thesis}, 4.4: range of Eyring's law", thesis=THESIS),
     advice=Text("The oil answers as a solid: its friction is overestimated."),
-    value_id=dotted("friction", "M", MeshLoss.deborah_max),
+    value_id=dotted("friction", "M", declared(MeshLoss).deborah_max),
 )
 INLET_HEATING = CheckRule(
     "friction.M.inlet_heating",
@@ -245,7 +245,7 @@ BULK = CheckRule(
     moved_by=(dotted("friction", FrictionInputs.bulk_temperature),),
 )
 BULK_TEMPERATURE = CheckRule(
-    dotted("friction", "M", MeshLoss.bulk_temperature),
+    dotted("friction", "M", declared(MeshLoss).bulk_temperature),
     "caution",
     "The teeth lose their hardness; the temperature is an estimate.",
     sense="<=",
@@ -253,7 +253,7 @@ BULK_TEMPERATURE = CheckRule(
     source=Text("rule of this program: case-hardened steel loses hardness from about 150 to 180 °C on, from memory"),
     advice=Text("The teeth run hot: less power or loss, a wider face, more oil on them."),
     demand=True,
-    value_id=dotted("friction", "M", MeshLoss.bulk_temperature),
+    value_id=dotted("friction", "M", declared(MeshLoss).bulk_temperature),
     moved_by=(dotted("gears", GearsInputs.power), dotted("gears", GearsInputs.face_width)),
 )
 
@@ -381,7 +381,7 @@ def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[
 def _film_of_source(name: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:
     if mesh.source is not None and by_regime(mesh).lead_at_pitch < 1 and friction.film == "judged":
         yield Erratum(
-            dotted("friction", name, MeshLoss.film_min),
+            dotted("friction", name, declared(MeshLoss).film_min),
             Text("Thinnest film"),
             mesh.source.film_min * 1e6,
             "µm",

@@ -3,7 +3,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 
@@ -12,6 +12,8 @@ from ..gears.layout.forces import axis_forces
 from ..gears.result import TrainResult
 from ..library.catalogue import Material, Oil, materials, oils
 from ..library.lubricant import Lubricant
+from ..sheet.arguments import check_arguments, named
+from ..sheet.arrays import Array, Num
 from ..sheet.deferred import Later
 from ..sheet.record import replace
 from ..sheet.step import Curve, Further, Outcome, Table, finite
@@ -75,12 +77,14 @@ def _half(diameter: Metre) -> Metre:
 def forces_of(gears: GearsInputs, train: TrainResult) -> Forces:
     """The forces of the teeth on the axis of each wheel as the train stands, from powers of the meshes and speeds of
     the wheels."""
+    return partial(_forces, gears, train)
 
-    def forces(loads: Mapping[str, Watt], speeds: Mapping[str, RevPerSecond]) -> Mapping[str, Newton]:
-        torques = {key: torque(P=loads.get(key, 0.0), n=speeds[mesh.driver]) for key, mesh in train.meshes.items()}
-        return axis_forces(gears, train, torques)
 
-    return forces
+def _forces(
+    gears: GearsInputs, train: TrainResult, loads: Mapping[str, Watt], speeds: Mapping[str, RevPerSecond]
+) -> Mapping[str, Newton]:
+    torques = {key: torque(P=loads.get(key, 0.0), n=speeds[mesh.driver]) for key, mesh in train.meshes.items()}
+    return axis_forces(gears, train, torques)
 
 
 class MeshOil(NamedTuple):
@@ -246,22 +250,45 @@ def _not_counted(friction: FrictionInputs, ends: Ends, undriven: tuple[str, ...]
 # --- from Python, in SI: `from calc import friction`
 
 
-def solve_loss(
+@overload
+def solve_loss(  # type: ignore[overload-overlap]  # numbers give numbers, one array among them gives arrays
     pair: TrainResult,
     *,
     power: Watt,
     speed: RevPerSecond,
     oil: str | Oil,
     temperature: Celsius,
+    flank_roughness: Metre = ...,
+) -> MeshLoss[float]: ...
+@overload
+def solve_loss(
+    pair: TrainResult, *, power: Num, speed: Num, oil: str | Oil, temperature: Num, flank_roughness: Metre = ...
+) -> MeshLoss[Array]: ...
+def solve_loss(
+    pair: TrainResult,
+    *,
+    power: Any,
+    speed: Any,
+    oil: str | Oil,
+    temperature: Any,
     flank_roughness: Metre = 0.8e-6,
-) -> MeshLoss:
+) -> MeshLoss[Any]:
     """The loss of the first mesh of a train (`gears.solve_pair` makes one of two wheels), whose teeth have the oil's
     temperature.
 
-    `power` into the driver, `speed` of the driver in revolutions per second; these two and `temperature` may be arrays
-    of one length, an operating point each: so are the results then.  `flank_roughness`: Ra of both flanks."""
+    `power` into the driver [W], `speed` of the driver [revolutions per second], `temperature` [°C]: these three may be
+    arrays of one length, an operating point each; then every value of the loss is an array of it.  `oil`: a name of the
+    table, or an Oil.  `flank_roughness`: Ra of both flanks [m].  BadInput where an argument lies outside of the range
+    that it has in a design file."""
+    check_arguments(
+        "solve_loss",
+        power=(GearsInputs.power, power),
+        speed=(GearsInputs.speed, speed),
+        temperature=(FrictionInputs.oil_temperature, temperature),
+        flank_roughness=(FrictionInputs.flank_roughness, flank_roughness),
+    )
     mesh = next(iter(meshes_of(pair, materials()).values()))
-    lubricant = Lubricant(oils()[oil] if isinstance(oil, str) else oil)
+    lubricant = Lubricant(named("solve_loss", "oil", oil, oils()) if isinstance(oil, str) else oil)
     inputs = FrictionInputs(flank_roughness=(flank_roughness,))
     if np.ndim(power) or np.ndim(speed) or np.ndim(temperature):
         return losses(inputs, mesh, lubricant, T=temperature, n_1=speed, P=power)

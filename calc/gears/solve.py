@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from ..engine.inputs import EngineInputs
 from ..library.catalogue import Material
+from ..sheet.arguments import check_arguments
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.deferred import Later
 from ..sheet.quantity import dotted
@@ -357,9 +358,26 @@ def solve_pair(
 ) -> TrainResult:
     """Geometry, measures and contact of two wheels: `wheels["driver"]`, `wheels["driven"]`, `meshes["driver_driven"]`.
 
-    What is left out of profile shifts and centre distance follows from the others; without any of them the shifts are
-    0, and without a distance there is no backlash.  Tool sizes in modules; `speed` of the driver.  Raises NoSolution
-    where the teeth cannot be made."""
+    `teeth`, `profile_shift` (in modules): of driver and driven.  `normal_module`, `face_width`, `centre_distance` [m],
+    `helix_angle`, `pressure_angle` [rad], `tool_addendum`, `tool_tip_radius` [in modules], `speed` of the driver
+    [revolutions per second].  What is left out of profile shifts and centre distance follows from the others; without
+    any of them the shifts are 0, and without a distance there is no backlash.
+
+    Raises NoSolution where the teeth cannot be made, BadInput where an argument lies outside of the range that it has
+    in a design file."""
+    check_arguments(
+        "solve_pair",
+        teeth=(Wheel.teeth, teeth),
+        normal_module=(GearsInputs.normal_module, normal_module),
+        face_width=(GearsInputs.face_width, face_width),
+        helix_angle=(GearsInputs.helix_angle, helix_angle),
+        pressure_angle=(GearsInputs.pressure_angle, pressure_angle),
+        profile_shift=(Wheel.profile_shift, profile_shift),
+        centre_distance=(Mesh.centre_distance, centre_distance),
+        tool_addendum=(GearsInputs.tool_addendum, tool_addendum),
+        tool_tip_radius=(GearsInputs.tool_tip_radius, tool_tip_radius),
+        speed=(GearsInputs.speed, speed),
+    )
     wheels = tuple(
         Wheel(name=name, teeth=z, profile_shift=x) for name, z, x in zip(("driver", "driven"), teeth, profile_shift)
     )

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ..engine.inputs import EngineInputs
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.functions import argument, degrees
-from ..sheet.quantity import dotted
+from ..sheet.quantity import declared, dotted
 from ..sheet.text import EMPTY, Amount, Text, listed, plural
 from ..sheet.units import Newton, NewtonMetre, Number
 from .inputs import ImbalanceInputs
@@ -38,7 +38,7 @@ BACKWARD_COUPLE = CheckRule(
     "<=",
     "N·m",
     OWN,
-    value_id=dotted("imbalance", "order_1", Order.couple_backward),
+    value_id=dotted("imbalance", "order_1", declared(Order).couple_backward),
     moved_by=(FRACTION,),
 )
 BACKWARD_FORCE = CheckRule(
@@ -53,7 +53,7 @@ BACKWARD_FORCE = CheckRule(
         "A shaft at −ω with this force, in the plane of the engine's middle, takes it; it may carry the couple as well."
     ),
     cause=BACKWARD_COUPLE.id,
-    value_id=dotted("imbalance", "order_1", Order.force_backward),
+    value_id=dotted("imbalance", "order_1", declared(Order).force_backward),
     moved_by=(FRACTION,),
 )
 FORWARD_COUPLE = CheckRule(
@@ -64,7 +64,7 @@ FORWARD_COUPLE = CheckRule(
     "<=",
     "N·m",
     OWN,
-    value_id=dotted("imbalance", "order_1", Order.couple_forward),
+    value_id=dotted("imbalance", "order_1", declared(Order).couple_forward),
     moved_by=(FRACTION,),
 )
 FORWARD_FORCE = CheckRule(
@@ -76,7 +76,7 @@ FORWARD_FORCE = CheckRule(
     "N",
     OWN,
     cause=FORWARD_COUPLE.id,
-    value_id=dotted("imbalance", "order_1", Order.force_forward),
+    value_id=dotted("imbalance", "order_1", declared(Order).force_forward),
     moved_by=(FRACTION,),
 )
 SECOND_COUPLE = CheckRule(
@@ -87,7 +87,7 @@ SECOND_COUPLE = CheckRule(
     "<=",
     "N·m",
     OWN,
-    value_id=dotted("imbalance", "order_2", Order.couple_peak),
+    value_id=dotted("imbalance", "order_2", declared(Order).couple_peak),
     moved_by=(dotted("engine", EngineInputs.rod_length),),
 )
 SECOND_FORCE = CheckRule(
@@ -99,7 +99,7 @@ SECOND_FORCE = CheckRule(
     "N",
     OWN,
     cause=SECOND_COUPLE.id,
-    value_id=dotted("imbalance", "order_2", Order.force_peak),
+    value_id=dotted("imbalance", "order_2", declared(Order).force_peak),
     moved_by=(dotted("engine", EngineInputs.rod_length),),
 )
 CRANK_FORCE = CheckRule(

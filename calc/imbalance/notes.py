@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable, Iterator
 
-from ..sheet.quantity import dotted
+from ..sheet.quantity import declared, dotted
 from ..sheet.step import Erratum
 from ..sheet.text import Text
 from ..sheet.units import Metre
@@ -49,7 +49,7 @@ def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> Iterator[Erra
     if kappa and second is not None and second.couple_peak_vertical:
         theirs = f.second_order_couple_of_finotti(kappa=kappa, C_2=second.couple_peak_vertical)
         yield Erratum(
-            dotted("imbalance", "order_2", Order.couple_peak_vertical),
+            dotted("imbalance", "order_2", declared(Order).couple_peak_vertical),
             Text("Second-order couple"),
             float(theirs),
             "N·m",

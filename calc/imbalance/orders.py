@@ -2,12 +2,13 @@
 """Forces and couples of one order, of one engine or of many: their vectors, their ellipses, and their peaks."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Generic
 
 import numpy as np
 
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
+from ..sheet.arrays import Value
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, resultant
 from ..sheet.quantity import group, result, value
@@ -16,8 +17,6 @@ from ..sheet.units import (
     Kilogram,
     Metre,
     Metres,
-    Newton,
-    NewtonMetre,
     Number,
     PhasorKilogramMetre,
     PhasorKilogramMetre2,
@@ -212,35 +211,35 @@ DUST = 1e-9  # of one cylinder's m·r·ω²: so little is not worth a figure
 
 
 @result
-class Order:
+class Order(Generic[Value]):
     """One order: the vectors turning with and against the crank at n times its speed, after the crank's own
     counterweights.
 
     Peak, least and axis are half the long axis, half the short axis and the direction of the long axis of the ellipse
     that the two vectors draw; a circle has no axis."""
 
-    force_forward: Newton = value("Force turning forward", "N", "F⁺", short=True)
-    force_forward_phase: Radian = value("its phase", "°")
-    force_backward: Newton = value("Force turning backward", "N", "F⁻", short=True)
-    force_backward_phase: Radian = value("its phase", "°")
-    force_peak_vertical: Newton = value("Largest vertical force", "N", "F_V")
-    force_peak_horizontal: Newton = value("Largest horizontal force", "N", "F_H")
-    force_peak: Newton = value("Largest force", "N", "F_max", short=True, page_one=4, headline=3)
-    force_least: Newton = value("Smallest force over the turn", "N", "F_min")
-    force_axis: Radian | None = value("Direction of the largest force", "°", "∠F_max")
-    couple_forward: NewtonMetre = value("Couple turning forward", "N·m", "C⁺", short=True)
-    couple_forward_phase: Radian = value("its phase", "°")
-    couple_backward: NewtonMetre = value("Couple turning backward", "N·m", "C⁻", short=True)
-    couple_backward_phase: Radian = value("its phase", "°")
-    couple_peak_vertical: NewtonMetre = value("Largest vertical couple", "N·m", "C_V")
-    couple_peak_horizontal: NewtonMetre = value("Largest horizontal couple", "N·m", "C_H")
-    couple_peak: NewtonMetre = value("Largest couple", "N·m", "C_max", short=True, page_one=3, headline=4)
-    couple_least: NewtonMetre = value("Smallest couple over the turn", "N·m", "C_min")
-    couple_axis: Radian | None = value("Direction of the largest couple", "°", "∠C_max")
+    force_forward: Value = value("Force turning forward", "N", "F⁺", short=True)
+    force_forward_phase: Value = value("its phase", "°")
+    force_backward: Value = value("Force turning backward", "N", "F⁻", short=True)
+    force_backward_phase: Value = value("its phase", "°")
+    force_peak_vertical: Value = value("Largest vertical force", "N", "F_V")
+    force_peak_horizontal: Value = value("Largest horizontal force", "N", "F_H")
+    force_peak: Value = value("Largest force", "N", "F_max", short=True, page_one=4, headline=3)
+    force_least: Value = value("Smallest force over the turn", "N", "F_min")
+    force_axis: Value | None = value("Direction of the largest force", "°", "∠F_max")
+    couple_forward: Value = value("Couple turning forward", "N·m", "C⁺", short=True)
+    couple_forward_phase: Value = value("its phase", "°")
+    couple_backward: Value = value("Couple turning backward", "N·m", "C⁻", short=True)
+    couple_backward_phase: Value = value("its phase", "°")
+    couple_peak_vertical: Value = value("Largest vertical couple", "N·m", "C_V")
+    couple_peak_horizontal: Value = value("Largest horizontal couple", "N·m", "C_H")
+    couple_peak: Value = value("Largest couple", "N·m", "C_max", short=True, page_one=3, headline=4)
+    couple_least: Value = value("Smallest couple over the turn", "N·m", "C_min")
+    couple_axis: Value | None = value("Direction of the largest couple", "°", "∠C_max")
     vectors: tuple[complex, complex, complex, complex]  # F⁺ F⁻ C⁺ C⁻
     # the same with no share of the reciprocating masses on the crank
     unbalanced: tuple[complex, complex, complex, complex]
-    two_term: "Order | None" = group(default=None, short=False, words="two term")
+    two_term: "Order[Value] | None" = group(default=None, short=False, words="two term")
 
 
 def order(n: int, c_n: complex, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:

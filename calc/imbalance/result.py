@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the imbalance step gives: the orders, what the counter-shaft must supply, the remedies."""
 
+from typing import Generic
+
+from ..sheet.arrays import Value
 from ..sheet.quantity import group, result, value
 from ..sheet.text import Text
-from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian
+from ..sheet.units import Newton, NewtonMetre
 from .orders import Order
 from .remedies import BalancingRemedy, Counterweight
 from .shaft_pair import ShaftPair
@@ -12,11 +15,11 @@ from .webs import WebsResult
 
 
 @result
-class ImbalanceResult:
+class ImbalanceResult(Generic[Value]):
     """All orders, what the counter-shaft must supply, and the remedies."""
 
-    orders: dict[str, Order] = group(spread=True, short=("order_1", "order_2"), leads=("order_2",))
-    required_couple: NewtonMetre = value(
+    orders: dict[str, Order[Value]] = group(spread=True, short=("order_1", "order_2"), leads=("order_2",))
+    required_couple: Value = value(
         "Couple that the counter-shaft must supply",
         "N·m",
         "C_S",
@@ -25,11 +28,9 @@ class ImbalanceResult:
         headline=1,
         taken_by=("countershaft", "gears"),
     )
-    required_couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°", short=True, taken_by=("countershaft",))
-    required_unbalance_product: KilogramMetre2 = value(
-        "Unbalance times arm of the counter-shaft", "kg·mm²", "U·Δz", short=True
-    )
-    required_force: Newton | None = value(
+    required_couple_phase: Value = value("its phase, cylinder 1 at TDC", "°", short=True, taken_by=("countershaft",))
+    required_unbalance_product: Value = value("Unbalance times arm of the counter-shaft", "kg·mm²", "U·Δz", short=True)
+    required_force: Value | None = value(
         "Force that the counter-shaft must supply",
         "N",
         "F_S",
@@ -39,20 +40,18 @@ class ImbalanceResult:
         headline=2,
         taken_by=("countershaft", "gears"),
     )
-    required_force_phase: Radian | None = value(
+    required_force_phase: Value | None = value(
         "its phase, cylinder 1 at TDC", "°", default=None, short=True, taken_by=("countershaft",)
     )
-    required_unbalance: KilogramMetre | None = value(
-        "Unbalance of the counter-shaft", "kg·mm", "U", default=None, short=True
-    )
-    mistiming_force_per_degree: Newton | None = value(
+    required_unbalance: Value | None = value("Unbalance of the counter-shaft", "kg·mm", "U", default=None, short=True)
+    mistiming_force_per_degree: Value | None = value(
         "Force left per degree of mistiming", "N", default=None, short=True
     )
-    mistiming_force_per_tooth: Newton | None = value(
+    mistiming_force_per_tooth: Value | None = value(
         "Force left per tooth of mistiming at the shaft's wheel", "N", default=None, short=True
     )
-    mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m", short=True)
-    mistiming_per_tooth: NewtonMetre | None = value(
+    mistiming_per_degree: Value = value("Couple left per degree of mistiming", "N·m", short=True)
+    mistiming_per_tooth: Value | None = value(
         "Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None, short=True
     )
     remedy: dict[str, BalancingRemedy] = group(

@@ -5,7 +5,7 @@ What other remedies would do stands beside it."""
 
 from collections.abc import Iterator
 from functools import cache
-from typing import TypedDict
+from typing import Any, TypedDict, overload
 
 import numpy as np
 
@@ -13,6 +13,8 @@ from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..engine.solve import ORDERS
 from ..engine.solve import values as engine_values
+from ..sheet.arguments import given_inputs
+from ..sheet.arrays import Array, Num
 from ..sheet.deferred import Later
 from ..sheet.record import replace
 from ..sheet.step import Outcome, Table
@@ -187,12 +189,24 @@ def with_shafts(
 # --- from Python, in SI: `from calc import imbalance`
 
 
+@overload
 def solve_imbalance(
-    engine: EngineInputs, crank_balance_fraction: float = 0.5, kinematics: str = "exact"
-) -> ImbalanceResult:
+    engine: EngineInputs, crank_balance_fraction: float = ..., kinematics: str = ...
+) -> ImbalanceResult[float]: ...
+@overload
+def solve_imbalance(
+    engine: EngineInputs, crank_balance_fraction: float = ..., kinematics: str = ..., **varied: Num
+) -> ImbalanceResult[Array]: ...
+def solve_imbalance(
+    engine: EngineInputs, crank_balance_fraction: float = 0.5, kinematics: str = "exact", **varied: Any
+) -> ImbalanceResult[Any]:
     """Forces and couples of orders 1 to 8, and what a counter-shaft must supply.
 
-    `crank_balance_fraction`: share of the reciprocating mass that the crank's own counterweights carry.  `kinematics`:
-    "exact" or "two_term".  A number of the engine may be an array, an engine each; so are the results."""
+    `engine`: in SI, as EngineInputs say.  `crank_balance_fraction`: share of the reciprocating mass that the crank's
+    own counterweights carry.  `kinematics`: "exact" or "two_term".  `varied`: numbers of the engine that are others, by
+    their names; they may be arrays of one length, an engine each: so are the results.  BadInput where a number lies
+    outside of the range that it has in a design file."""
     inputs = ImbalanceInputs(crank_balance_fraction=crank_balance_fraction, kinematics=kinematics)
+    inputs = given_inputs("solve_imbalance", inputs)
+    engine = given_inputs("solve_imbalance", engine, varied)
     return values(inputs, engine, engine_values(engine))

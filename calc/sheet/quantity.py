@@ -426,6 +426,12 @@ class ValueKey:
     about: Described
 
 
+def declared(cls: type[T]) -> T:
+    """A class of results that may hold arrays, for its fields: `declared(Order).couple_peak` is the ValueKey that
+    `Order.couple_peak` is, where the type checker does not know of numbers or of arrays."""
+    return cls  # type: ignore[return-value]
+
+
 @record
 class Stated:
     """One result whose name is known only at run time (`span_6`, `root_stress_idler`): its description and its number,

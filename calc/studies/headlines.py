@@ -25,7 +25,7 @@ from ..mounting.inputs import MountingInputs
 from ..mounting.result import Mode, PointLevel
 from ..mounting.wrenches import running
 from ..sheet.check import Check
-from ..sheet.quantity import Published, dotted
+from ..sheet.quantity import Published, declared, dotted
 from ..sheet.record import record
 from ..sheet.text import COMMA, SPACE, Amount, Name, Text
 from ..sheet.verdict import closest
@@ -33,10 +33,10 @@ from ..solve import Results
 
 # what the shaft leaves of an order's couple and force, and what there is before
 LEFT = (
-    (1, SystemResult.residual_order_1_couple, Order.couple_peak),
-    (1, SystemResult.residual_order_1_force, Order.force_peak),
-    (2, SystemResult.residual_order_2_couple, Order.couple_peak),
-    (2, SystemResult.residual_order_2_force, Order.force_peak),
+    (1, SystemResult.residual_order_1_couple, declared(Order).couple_peak),
+    (1, SystemResult.residual_order_1_force, declared(Order).force_peak),
+    (2, SystemResult.residual_order_2_couple, declared(Order).couple_peak),
+    (2, SystemResult.residual_order_2_force, declared(Order).force_peak),
 )
 ROLLS = ((1, SystemResult.roll_left_order_1), (2, SystemResult.roll_left_order_2))
 
@@ -108,7 +108,7 @@ def of_check(check: Check, design: Design | None = None) -> Headline:
 
 
 def _engine(results: Results) -> Text | None:
-    engine, volume = results.design.engine, results.value(EngineResult.displacement)
+    engine, volume = results.design.engine, results.value(declared(EngineResult).displacement)
     if engine is None or volume is None:
         return None
     return Text("{n} cyl, {volume}", n=engine.cylinders, volume=Amount(volume.inside * 1e3, "L", digits=3))
@@ -134,8 +134,8 @@ def _balance(results: Results) -> tuple[Text, Text] | None:
     taken of."""
     if len(results.design.shafts) > 1:
         return _balance_of_shafts(results)
-    couple = ImbalanceResult.required_couple, SystemResult.residual_order_1_couple
-    force = ImbalanceResult.required_force, SystemResult.residual_order_1_force
+    couple = declared(ImbalanceResult).required_couple, SystemResult.residual_order_1_couple
+    force = declared(ImbalanceResult).required_force, SystemResult.residual_order_1_force
     for kind, word in ((couple, Text("couple for the shaft")), (force, Text("force for the shaft"))):
         before, after = (results.value(field) for field in kind)
         if before is not None and before.shown:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """One plain bearing: judged by the program's own solution on the warm clearance, beside other routes to the film."""
 
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 
@@ -12,7 +12,8 @@ from ...library.journal_rules import heat_index, specific_load, speed_factor
 from ...library.lubricant import Lubricant
 from ...library.oils import high_shear
 from ...library.tolerances import deviations, parse
-from ...sheet.arrays import Array
+from ...sheet.arguments import check_arguments, named
+from ...sheet.arrays import Array, Num
 from ...sheet.linked_array import gathered, item
 from ...sheet.record import record, replace
 from ...sheet.text import Text
@@ -35,7 +36,7 @@ from .routes import supply
 from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, side_by_side
 from .routes.states import BearingCase, Film
-from .routes.thermal_balance import balanced, closed, settled_together
+from .routes.thermal_balance import balanced, closed, settled, settled_together
 from .seats.sitting import seat_result, select_result, split_result
 from .speeds import TURNING, Sweep, highest_speed, sweep, sweep_points
 from .suitability import film_asked, film_duty, load_times_speed
@@ -64,7 +65,7 @@ def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) ->
     n_F = based_on(speed, speed, i_F) if i_F == 1 else f.load_speed(i_F=i_F, n_J=speed)
     n_h = f.effective_speed(n_J=speed, n_B=n_B, n_F=n_F)
     slides = based_on(1.0, i_B, i_F)
-    if n_B or n_h != speed:
+    if n_B or np.any(n_h != speed):
         slides = f.sliding_ratio(n_J=speed, n_B=n_B, n_h=n_h)
     return OperatingPoint(load, speed, n_h, slides, inputs.supply_temperature, inputs.supply_pressure)
 
@@ -296,7 +297,11 @@ def _blocked_arc(inputs: BearingsInputs, duty: OperatingPoint, hot: Film, ratio:
     return short.blocked_arc(eps=eps, p_s=duty.supply_pressure, p_max=p_max)
 
 
-def solve_film(
+# --- from Python, in SI: `from calc import bearings`
+
+
+@overload
+def solve_film(  # type: ignore[overload-overlap]  # numbers give numbers, one array among them gives arrays
     *,
     diameter: Metre,
     length: Metre,
@@ -305,19 +310,74 @@ def solve_film(
     speed: RevPerSecond,
     oil: str | Oil,
     supply_temperature: Celsius,
-    supply_pressure: Pascal = 3e5,
+    supply_pressure: Pascal = ...,
+    hole_diameter: Metre = ...,
+    load_speed_ratio: Number = ...,
+    journal: str = ...,
+    housing: str = ...,
+    warm: bool = ...,
+) -> Film[float]: ...
+@overload
+def solve_film(
+    *,
+    diameter: Num,
+    length: Num,
+    clearance: Num,
+    load: Num,
+    speed: Num,
+    oil: str | Oil,
+    supply_temperature: Num,
+    supply_pressure: Num = ...,
+    hole_diameter: Metre = ...,
+    load_speed_ratio: Number = ...,
+    journal: str = ...,
+    housing: str = ...,
+    warm: bool = ...,
+) -> Film[Array]: ...
+def solve_film(
+    *,
+    diameter: Any,
+    length: Any,
+    clearance: Any,
+    load: Any,
+    speed: Any,
+    oil: str | Oil,
+    supply_temperature: Any,
+    supply_pressure: Any = 3e5,
     hole_diameter: Metre = 4e-3,
     load_speed_ratio: Number = 1.0,
     journal: str = "steel",
     housing: str = "steel",
     warm: bool = True,
-) -> Film:
+) -> Film[Any]:
     """The film of one bearing in thermal balance, by this program's own solution of Reynolds' equation.
 
-    `clearance`: diametral, at 20 °C.  `speed`: of the journal, revolutions per second.  `oil`: a name of the table, or
-    an Oil. `load_speed_ratio`: 1, the load turns with the shaft; 0, it stands.  `journal`, `housing`: materials, by
-    whose expansion the clearance changes (`warm` False: it keeps its size).  Raises NoSolution where there is no film.
-    """
+    `diameter`, `length`: of the journal in the bearing [m].  `clearance`: diametral, at 20 °C [m].  `load` [N].
+    `speed`: of the journal [revolutions per second].  `oil`: a name of the table, or an Oil.  `supply_temperature`
+    [°C], `supply_pressure` [Pa], `hole_diameter` [m]: how the oil comes.  `load_speed_ratio`: 1, the load turns with
+    the shaft; 0, it stands.  `journal`, `housing`: materials, by whose expansion the clearance changes (`warm` False:
+    it keeps its size).
+
+    All up to `supply_pressure` may be arrays, which are broadcast against each other: then every value of the film is
+    an array of that shape, nan where there is no film.  Of numbers alone, NoSolution is raised there.  BadInput where
+    an argument lies outside of the range that it has in a design file."""
+    check_arguments(
+        "solve_film",
+        diameter=(BearingRow.diameter, diameter),
+        length=(BearingRow.length, length),
+        clearance=(BearingRow.clearance, clearance),
+        load=(BearingRow.load, load),
+        speed=(BearingsInputs.speed, speed),
+        supply_temperature=(BearingsInputs.supply_temperature, supply_temperature),
+        supply_pressure=(BearingsInputs.supply_pressure, supply_pressure),
+        hole_diameter=(BearingsInputs.hole_diameter, hole_diameter),
+        load_speed_ratio=(BearingsInputs.load_speed_ratio, load_speed_ratio),
+    )
+    row = named("solve_film", "oil", oil, oils()) if isinstance(oil, str) else oil
+    of_journal, of_housing = (
+        named("solve_film", argument, name, materials())
+        for argument, name in (("journal", journal), ("housing", housing))
+    )
     bearing = BearingRow(
         name="alone",
         position=0.0,
@@ -328,7 +388,6 @@ def solve_film(
         journal_roughness=0.0,
         housing_roughness=0.0,
     )
-    row = oils()[oil] if isinstance(oil, str) else oil
     inputs = BearingsInputs(
         oil=row.name,
         supply_temperature=supply_temperature,
@@ -338,6 +397,8 @@ def solve_film(
         housing_material=housing,
         load_speed_ratio=load_speed_ratio,
     )
-    known = materials()
-    case = BearingCase(bearing, inputs, Lubricant(row), clearance, known[journal].expansion, known[housing].expansion)
-    return balanced(own_warm if warm else own_cold, case, operating_point(inputs, load, speed))
+    case = BearingCase(bearing, inputs, Lubricant(row), clearance, of_journal.expansion, of_housing.expansion)
+    duty = operating_point(inputs, load, speed)
+    if any(map(np.ndim, (diameter, length, clearance, load, speed, supply_temperature, supply_pressure))):
+        return settled(case, duty, warm=warm, tolerance=1e-12)
+    return balanced(own_warm if warm else own_cold, case, duty)

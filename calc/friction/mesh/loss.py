@@ -9,13 +9,13 @@ what is assumed of oil and flanks may be arrays: N operating points in one call,
 
 from collections.abc import Callable
 from dataclasses import field
-from typing import Any, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
 from ...library import contact
 from ...library.lubricant import Lubricant
-from ...sheet.arrays import Array, Num
+from ...sheet.arrays import Array, Num, Value
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import along, single_or_many, sqrt
@@ -288,28 +288,28 @@ class Local:
 
 
 @result
-class MeshLoss:
-    """The loss of one mesh by one model of the film."""
+class MeshLoss(Generic[Value]):
+    """The loss of one mesh by one model of the film; of many operating points every number is an array."""
 
-    loss: Watt = value("Power lost in the mesh", "W", "P_VZ", short=True)
-    sliding_loss: Watt = value("by sliding", "W", "P_s")
-    rolling_loss: Watt = value("by rolling", "W", "P_R")
-    rolling_estimate: Watt | None = value("Rolling of an EHL film, an estimate that is not added", "W", "P_RE")
-    efficiency: Number = value("Efficiency of the mesh", "", "η_Z", short=True)
-    loss_factor: Number = value("Loss factor", "", "H_VL", short=True)
-    friction_mean: Number = value("Mean coefficient of friction", "", "μ_m", short=True)
-    film_min: Metre = value("Thinnest film", "µm", "h_min", short=True)
-    lambda_min: Number = value("Smallest film over roughness", "", "λ_min", short=True)
-    pressure_max: Pascal = value("Largest Hertzian pressure", "MPa", "p_H", short=True)
-    pressure_pitch: Pascal | None = value("Hertzian pressure at the pitch point", "MPa", "p_C")
-    temperature_max: Celsius = value("Hottest film", "°C", "T_f")
-    bulk_temperature: Celsius | None = value("Temperature of the teeth, estimated", "°C", "Θ_M")
-    deborah_max: Number = value("Largest Deborah number", "", "De")
-    rigid_share: Number = value("Share of the path with a rigid isoviscous film", "%")
-    load: Watt  # the power that was asked
+    loss: Value = value("Power lost in the mesh", "W", "P_VZ", short=True)
+    sliding_loss: Value = value("by sliding", "W", "P_s")
+    rolling_loss: Value = value("by rolling", "W", "P_R")
+    rolling_estimate: Value | None = value("Rolling of an EHL film, an estimate that is not added", "W", "P_RE")
+    efficiency: Value = value("Efficiency of the mesh", "", "η_Z", short=True)
+    loss_factor: Value = value("Loss factor", "", "H_VL", short=True)
+    friction_mean: Value = value("Mean coefficient of friction", "", "μ_m", short=True)
+    film_min: Value = value("Thinnest film", "µm", "h_min", short=True)
+    lambda_min: Value = value("Smallest film over roughness", "", "λ_min", short=True)
+    pressure_max: Value = value("Largest Hertzian pressure", "MPa", "p_H", short=True)
+    pressure_pitch: Value | None = value("Hertzian pressure at the pitch point", "MPa", "p_C")
+    temperature_max: Value = value("Hottest film", "°C", "T_f")
+    bulk_temperature: Value | None = value("Temperature of the teeth, estimated", "°C", "Θ_M")
+    deborah_max: Value = value("Largest Deborah number", "", "De")
+    rigid_share: Value = value("Share of the path with a rigid isoviscous film", "%")
+    load: Value  # the power that was asked
     local: Local
-    lead_at_pitch: Number  # film of the best other regime over the rigid isoviscous one; 0 where not asked
-    thermal_reduction_min: Number
+    lead_at_pitch: Value  # film of the best other regime over the rigid isoviscous one; 0 where not asked
+    thermal_reduction_min: Value
 
 
 @formula(
