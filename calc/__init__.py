@@ -4,24 +4,25 @@
 `solve.py` calls them in that order.  Below them `sheet`, `locale`, `library`, `draw`; above them `design` and
 `studies`. It draws on no screen and no page, and prints nothing."""
 
-from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
 
-# what this package offers, each from its module, behind a colon how it is called there; loaded when it is asked for
-OFFERED = {
-    "Design": ".design.model",
-    "load_design": ".design.toml_file",
-    "solve_design": ".solve:solve",
-}
-__all__ = [*OFFERED]
+from .sheet.offered import offer
 
+if TYPE_CHECKING:
+    from . import bearings as bearings
+    from . import countershaft as countershaft
+    from . import engine as engine
+    from . import friction as friction
+    from . import gears as gears
+    from . import imbalance as imbalance
+    from . import library as library
+    from . import mounting as mounting
+    from .design.model import Design as Design
+    from .design.toml_file import load_design as load_design
+    from .sheet.errors import BadInput as BadInput
+    from .sheet.errors import NoSolution as NoSolution
+    from .sheet.step import Outcome as Outcome
+    from .solve import Results as Results
+    from .solve import solve_design as solve_design
 
-def __getattr__(name: str) -> Any:
-    if name not in OFFERED:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    module, _, called = OFFERED[name].partition(":")
-    return getattr(import_module(module, __name__), called or name)
-
-
-def __dir__() -> list[str]:
-    return __all__
+offer(globals())

@@ -51,6 +51,8 @@ from .gears.wheel import with_masses
 from .imbalance import solve as imbalance
 from .imbalance.result import ImbalanceResult
 from .mounting import solve as mounting
+from .mounting.result import MountingResult
+from .sheet.arguments import given_inputs
 from .sheet.check import Check
 from .sheet.deferred import Later
 from .sheet.number import aligned, short
@@ -99,6 +101,43 @@ class Results:
     def result(self, kind: type[R]) -> R | None:
         """What the step gave whose results are of this class; None where it is not solved."""
         return next((outcome.result for outcome in self.outcomes.values() if isinstance(outcome.result, kind)), None)
+
+    @property
+    def engine(self) -> Outcome[EngineResult]:
+        """The outcome of the step, as those of the other steps below it."""
+        return cast("Outcome[EngineResult]", self.outcomes["engine"])
+
+    @property
+    def imbalance(self) -> Outcome[ImbalanceResult]:
+        return cast("Outcome[ImbalanceResult]", self.outcomes["imbalance"])
+
+    @property
+    def countershaft(self) -> Outcome[CountershaftResult]:
+        """Of the only shaft; of one of several `view(name).countershaft`."""
+        return cast("Outcome[CountershaftResult]", self._of_one_shaft("countershaft"))
+
+    @property
+    def bearings(self) -> Outcome[BearingsResult]:
+        """Of the only shaft; of one of several `view(name).bearings`."""
+        return cast("Outcome[BearingsResult]", self._of_one_shaft("bearings"))
+
+    @property
+    def gears(self) -> Outcome[TrainResult]:
+        return cast("Outcome[TrainResult]", self.outcomes["gears"])
+
+    @property
+    def friction(self) -> Outcome[FrictionResult]:
+        return cast("Outcome[FrictionResult]", self.outcomes["friction"])
+
+    @property
+    def mounting(self) -> Outcome[MountingResult]:
+        return cast("Outcome[MountingResult]", self.outcomes["mounting"])
+
+    def _of_one_shaft(self, step: str) -> Outcome[object]:
+        if len(self.design.shafts) > 1 and self.of_shafts:
+            names, first = ", ".join(self.views), next(iter(self.views))
+            raise LookupError(f"this design has several shafts ({names}): view({first!r}).{step} is that of the first")
+        return self.outcomes[step]
 
     @property
     def shaft(self) -> CountershaftResult | None:
@@ -238,6 +277,14 @@ def solve(
     if design.measured:
         outcomes |= with_measured(design, outcomes, cache(lambda: bare.predicted))
     return results
+
+
+def solve_design(design: Design) -> Results:
+    """A whole design: every step's outcome, values, checks and verdicts, whatever is missing or fails in it.
+
+    `design`: of `load_design`, or one changed with `dataclasses.replace`, in SI.  BadInput where a number in it lies
+    outside of the range that it has in a design file."""
+    return solve(given_inputs("solve_design", design))
 
 
 @record

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 import calc
-from tests.conftest import ROOT
+from calc.sheet.arguments import given_inputs
+from calc.sheet.record import replace
+from tests.conftest import ROOT, SHIPPED
 from tests.test_imports import loaded
 
 SECTION = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
@@ -16,10 +18,8 @@ BLOCKS = [
     for block in re.findall(r"(?:^    .*\n|^\n(?=    ))+", SECTION, flags=re.MULTILINE)
 ]
 ROWS = re.findall(r"^\| `(.+?)` \| .+? \| (\S*).*\|$", SECTION, flags=re.MULTILINE)
-PACKAGES = (
-    "calc",
-    *(f"calc.{step}" for step in ("engine", "imbalance", "countershaft", "bearings", "gears", "friction")),
-)
+STEPS = ("engine", "imbalance", "countershaft", "bearings", "gears", "friction")
+PACKAGES = ("calc", *(f"calc.{name}" for name in (*STEPS, "mounting", "library")))
 
 
 @pytest.fixture(scope="module")
@@ -39,11 +39,7 @@ def test_a_row_of_the_page_runs(names, call, number):
 
 def test_every_step_has_rows():
     assert len(ROWS) >= 13
-    assert all(
-        any(call.startswith(f"{package.removeprefix('calc.')}.") for call, _ in ROWS)
-        for package in PACKAGES[1:]
-        if package != "calc.gears"
-    )
+    assert all(any(call.startswith(f"{step}.") for call, _ in ROWS) for step in STEPS if step != "gears")
 
 
 def test_the_arrays_of_the_readme_run(names):
@@ -56,9 +52,10 @@ def test_the_arrays_of_the_readme_run(names):
 @pytest.mark.parametrize("name", PACKAGES)
 def test_a_package_offers_what_it_lists(name):
     package = import_module(name)
-    assert package.__all__ == sorted(package.__all__)
+    assert package.__all__ == sorted(package.__all__) == dir(package)
     for offered in package.__all__:
-        assert getattr(package, offered).__doc__
+        assert getattr(package, offered).__doc__, offered
+    assert dir(package) == package.__all__  # also when its modules are loaded
 
 
 def test_an_unknown_name_is_no_attribute():
@@ -66,6 +63,35 @@ def test_an_unknown_name_is_no_attribute():
         calc.bearings.solve_flim  # noqa: B018
     with pytest.raises(ImportError):
         from calc import solve_desing  # noqa: F401
+
+
+def test_what_is_not_loaded_yet_is_there():
+    assert "calc.gears.formulas" in loaded("import calc; calc.gears.tip_diameter")
+
+
+def test_the_steps_of_results_have_types_of_their_own(gamma_results):
+    for step in (*STEPS, "mounting"):
+        assert getattr(gamma_results, step) is gamma_results.outcomes[step]
+
+
+def test_of_several_shafts_one_is_asked_for():
+    both = calc.solve_design(calc.load_design(ROOT / "designs" / "r754ie4_balance_shafts.toml"))
+    with pytest.raises(LookupError, match=r"several shafts .*view\('(.+)'\).bearings"):
+        both.bearings  # noqa: B018
+    name = next(iter(both.views))
+    assert both.view(name).bearings.solution.bearings
+
+
+def test_a_design_that_was_changed_is_held_to_the_ranges_of_its_file(gamma_results):
+    one = gamma_results.design
+    with pytest.raises(calc.BadInput, match=r"solve_design: engine.bore: 94: .* for 94 mm give 0.094"):
+        calc.solve_design(replace(one, engine=replace(one.engine, bore=94.0)))
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_no_shipped_design_is_refused(path):
+    design = calc.load_design(path)
+    assert given_inputs("solve_design", design) is design
 
 
 def test_packages_cost_nothing_until_something_is_asked_of_them():

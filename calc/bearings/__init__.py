@@ -2,29 +2,22 @@
 """Bearings of a shaft, plain and rolling ones: what each carries and loses, how long it lives, and a search for better
 ones."""
 
-from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
 
-# what this package offers, each from its module; loaded when it is asked for
-OFFERED = {
-    "Feed": ".plain.film.grooved",
-    "Film": ".plain.as_support",
-    "Springs": ".rolling.contact",
-    "film_at": ".plain.film.table",
-    "relative_clearance": ".plain.formulas",
-    "solve_film": ".plain.solve",
-    "solve_grooved": ".plain.film.grooved",
-    "sommerfeld": ".plain.formulas",
-    "specific_load": "..library.journal_rules",
-}
-__all__ = [*OFFERED]
+from ..sheet.offered import offer
 
+if TYPE_CHECKING:
+    from ..library.journal_rules import specific_load as specific_load
+    from .inputs import BearingsInputs as BearingsInputs
+    from .plain.as_support import FilmLaw as FilmLaw
+    from .plain.film.grooved import Feed as Feed
+    from .plain.film.grooved import solve_grooved as solve_grooved
+    from .plain.film.table import film_at as film_at
+    from .plain.formulas import relative_clearance as relative_clearance
+    from .plain.formulas import sommerfeld as sommerfeld
+    from .plain.routes.states import Film as Film
+    from .plain.solve import solve_film as solve_film
+    from .result import BearingsResult as BearingsResult
+    from .rolling.contact import Springs as Springs
 
-def __getattr__(name: str) -> Any:
-    if name not in OFFERED:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(OFFERED[name], __name__), name)
-
-
-def __dir__() -> list[str]:
-    return __all__
+offer(globals())

@@ -1,37 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 """The counter-rotating shaft: what it supplies, what its supports carry, how it bends, is sized, made and mounted."""
 
-from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
 
-# what this package offers, each from its module, behind a colon how it is called there; loaded when it is asked for
-OFFERED = {
-    "OrderVectors": ".sums",
-    "Rigid": ".bending.carried",
-    "Spring": ".bending.carried",
-    "SystemShaft": ".sums",
-    "at_rest": ".bending.condensed",
-    "carried": ".bending.carried",
-    "condensed": ".bending.condensed",
-    "permitted_unbalance": "..library.tolerances",
-    "sector_area": ".outline",
-    "sector_mass": ".outline",
-    "size_sectors": ".sizing.sectors:pair",
-    "size_stretches": ".sizing.stretches",
-    "specific_load": "..library.journal_rules",
-    "standing_on": ".bending.condensed",
-    "stretches": ".sizing.stretches",
-    "together": ".sums",
-}
-__all__ = [*OFFERED]
+from ..sheet.offered import offer
 
+if TYPE_CHECKING:
+    from ..library.journal_rules import specific_load as specific_load
+    from ..library.tolerances import permitted_unbalance as permitted_unbalance
+    from .bending.carried import Rigid as Rigid
+    from .bending.carried import Spring as Spring
+    from .bending.carried import carried as carried
+    from .bending.condensed import at_rest as at_rest
+    from .bending.condensed import condensed as condensed
+    from .bending.condensed import standing_on as standing_on
+    from .inputs import ShaftInputs as ShaftInputs
+    from .outline import sector_area as sector_area
+    from .outline import sector_mass as sector_mass
+    from .result import CountershaftResult as CountershaftResult
+    from .sizing.sectors import size_sectors as size_sectors
+    from .sizing.stretches import size_stretches as size_stretches
+    from .sizing.stretches import stretches as stretches
+    from .sums import OrderVectors as OrderVectors
+    from .sums import SystemShaft as SystemShaft
+    from .sums import together as together
 
-def __getattr__(name: str) -> Any:
-    if name not in OFFERED:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    module, _, called = OFFERED[name].partition(":")
-    return getattr(import_module(module, __name__), called or name)
-
-
-def __dir__() -> list[str]:
-    return __all__
+offer(globals())

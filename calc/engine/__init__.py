@@ -1,26 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """The crank train: geometry, kinematics, masses, crank angles, firing, gas and torque, the strength of a throw."""
 
-from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
 
-# what this package offers, each from its module, behind a colon how it is called there; loaded when it is asked for
-OFFERED = {
-    "EngineInputs": ".inputs",
-    "angular_speed": ".formulas",
-    "displacement": ".formulas",
-    "mean_piston_speed": ".formulas",
-    "solve_engine": ".solve",
-}
-__all__ = [*OFFERED]
+from ..sheet.offered import offer
 
+if TYPE_CHECKING:
+    from .formulas import angular_speed as angular_speed
+    from .formulas import displacement as displacement
+    from .formulas import mean_piston_speed as mean_piston_speed
+    from .inputs import EngineInputs as EngineInputs
+    from .result import EngineResult as EngineResult
+    from .solve import solve_engine as solve_engine
 
-def __getattr__(name: str) -> Any:
-    if name not in OFFERED:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    module, _, called = OFFERED[name].partition(":")
-    return getattr(import_module(module, __name__), called or name)
-
-
-def __dir__() -> list[str]:
-    return __all__
+offer(globals())

@@ -1,23 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Friction of the meshes, the other losses of the train, and the power balance of the whole drive."""
 
-from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
 
-# what this package offers, each from its module; loaded when it is asked for
-OFFERED = {
-    "mass_loss": ".losses.turning_masses",
-    "schlenk": ".models",
-    "solve_loss": ".solve",
-}
-__all__ = [*OFFERED]
+from ..sheet.offered import offer
 
+if TYPE_CHECKING:
+    from .inputs import FrictionInputs as FrictionInputs
+    from .losses.turning_masses import mass_loss as mass_loss
+    from .mesh.loss import MeshLoss as MeshLoss
+    from .models import schlenk as schlenk
+    from .result import FrictionResult as FrictionResult
+    from .solve import solve_loss as solve_loss
 
-def __getattr__(name: str) -> Any:
-    if name not in OFFERED:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(OFFERED[name], __name__), name)
-
-
-def __dir__() -> list[str]:
-    return __all__
+offer(globals())

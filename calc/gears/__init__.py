@@ -1,26 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """The gear train: geometry, measures, backlash, its place in the engine, profile, rating, and a search for shifts."""
 
-from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
 
-# what this package offers, each from its module; loaded when it is asked for
-OFFERED = {
-    "centre_distance": ".formulas",
-    "contact_stress": ".rating.stress",
-    "solve_pair": ".solve",
-    "span": ".measures.formulas",
-    "tip_diameter": ".formulas",
-    "transverse_contact_ratio": ".formulas",
-}
-__all__ = [*OFFERED]
+from ..sheet.offered import offer
 
+if TYPE_CHECKING:
+    from .formulas import centre_distance as centre_distance
+    from .formulas import tip_diameter as tip_diameter
+    from .formulas import transverse_contact_ratio as transverse_contact_ratio
+    from .inputs import GearsInputs as GearsInputs
+    from .measures.formulas import span as span
+    from .rating.stress import contact_stress as contact_stress
+    from .result import TrainResult as TrainResult
+    from .solve import solve_pair as solve_pair
 
-def __getattr__(name: str) -> Any:
-    if name not in OFFERED:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(OFFERED[name], __name__), name)
-
-
-def __dir__() -> list[str]:
-    return __all__
+offer(globals())

@@ -1,24 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forces and couples of every order, forward and backward; crank webs and bobs, and remedies that balance."""
 
-from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
 
-# what this package offers, each from its module; loaded when it is asked for
-OFFERED = {
-    "ImbalanceInputs": ".inputs",
-    "couple_per_degree": ".formulas",
-    "solve_imbalance": ".solve",
-    "unbalance_product": ".formulas",
-}
-__all__ = [*OFFERED]
+from ..sheet.offered import offer
 
+if TYPE_CHECKING:
+    from .formulas import couple_per_degree as couple_per_degree
+    from .formulas import unbalance_product as unbalance_product
+    from .inputs import ImbalanceInputs as ImbalanceInputs
+    from .result import ImbalanceResult as ImbalanceResult
+    from .solve import solve_imbalance as solve_imbalance
 
-def __getattr__(name: str) -> Any:
-    if name not in OFFERED:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(OFFERED[name], __name__), name)
-
-
-def __dir__() -> list[str]:
-    return __all__
+offer(globals())

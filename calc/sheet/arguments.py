@@ -118,7 +118,7 @@ def _of_another_unit(about: Quantity, number: object) -> bool:
         return False
     low, high = about.usual
     shown = about.units.shown(number)
-    return low <= number <= high and not low / FAR <= shown <= high * FAR
+    return 0 < low <= number <= high and not low / FAR <= shown <= high * FAR
 
 
 def _meant(about: Quantity, number: object) -> Text:

@@ -32,7 +32,7 @@ FULL = 0.97  # ε: a film that is hardly able to carry more
 
 
 @record
-class Film:
+class FilmLaw:
     """An oil film under a load that turns with the journal: F = μ·n·d·l·(d/c)²/S(ε), ε = 2·e/c.
 
     d and l of the bearing, c its clearance (diametral), in m; c and μ, Pa·s, are those in which it runs; n the speed of
@@ -88,7 +88,7 @@ class Film:
     def farthest(self, e: Metre) -> Metre:
         return min(FARTHEST * self.c / 2, (self.c / 2 + e) / 2)
 
-    def softer(self, share: Number) -> "Film":
+    def softer(self, share: Number) -> "FilmLaw":
         return self
 
     def said(self, name: str, e: Metre) -> Text:
@@ -101,27 +101,27 @@ class Film:
 WARM = 1e-9  # of the rise of a film: far below what the loads may move
 
 
-def told_law(law: Film, seat: BearingCase, duty: OperatingPoint[Any]) -> Film:
+def told_law(law: FilmLaw, seat: BearingCase, duty: OperatingPoint[Any]) -> FilmLaw:
     """The same film with what its numbers were found from."""
     d, length, T = seat.bearing.diameter, seat.bearing.length, duty.supply_temperature
     c, mu = based_on(law.c, seat.clearance, d, T), based_on(law.mu, seat.lubricant.oil, T)
     return replace(law, d=d, l=based_on(law.l, length), c=c, mu=mu, n=based_on(law.n, duty.speed))
 
 
-def film_law(seat: BearingCase, c: Metre, mu: PascalSecond, n: RevPerSecond, sense: int) -> Film:
+def film_law(seat: BearingCase, c: Metre, mu: PascalSecond, n: RevPerSecond, sense: int) -> FilmLaw:
     """The film of a bearing that runs with the clearance c and the viscosity μ."""
     lands = supply.lands(seat.inputs)
     length = supply.bare_length(seat.inputs, seat.bearing.length) / lands
-    return Film(seat.bearing.diameter, length, c, mu, n, sense, lands)
+    return FilmLaw(seat.bearing.diameter, length, c, mu, n, sense, lands)
 
 
-def as_supplied(seat: BearingCase, duty: OperatingPoint, sense: int = 1) -> Film:
+def as_supplied(seat: BearingCase, duty: OperatingPoint, sense: int = 1) -> FilmLaw:
     """The film with the oil as it is supplied."""
     T = duty.supply_temperature
     return film_law(seat, seat.clearance_at(T), seat.oil_at(T).mu, duty.effective_speed, sense)
 
 
-def runs_centred(seat: BearingCase, duty: OperatingPoint, supplied: Film | None = None) -> bool:
+def runs_centred(seat: BearingCase, duty: OperatingPoint, supplied: FilmLaw | None = None) -> bool:
     """Whether the load is smaller than any of the film table, in the balance that the film then has.
 
     With the oil as it is `supplied` the table begins at a larger load, which is asked first."""
@@ -138,7 +138,7 @@ def runs_centred(seat: BearingCase, duty: OperatingPoint, supplied: Film | None 
         return duty.load < film_law(seat, film.clearance, film.oil.mu, n, 1).centred.force
 
 
-def warm_law(seat: BearingCase, duty: OperatingPoint[Any], supplied: Film, before: AnyLaw, sense: int) -> AnyLaw:
+def warm_law(seat: BearingCase, duty: OperatingPoint[Any], supplied: FilmLaw, before: AnyLaw, sense: int) -> AnyLaw:
     """In the heat that it makes under the load of `duty`; where it finds no balance, the law `before`, at first that of
     the oil as it is supplied."""
     least = replace(seat, centred=True)
@@ -172,7 +172,7 @@ def at_corners(
     rows, columns = [*known], [i for i, seat in enumerate(seats) if seat is not None]
     if not rows:
         return {}
-    laws = {i: law for i, law in enumerate(films.laws) if isinstance(law, Film)}
+    laws = {i: law for i, law in enumerate(films.laws) if isinstance(law, FilmLaw)}
     others: dict[int, Law] = {}
     for i, other in enumerate(films.laws):
         if isinstance(other, Rigid):

@@ -22,8 +22,7 @@ from ...sheet.value import about, based_on
 from ..inputs import BearingsInputs
 from ..support import OperatingPoint, Task
 from . import formulas as f
-from .as_support import Film as FilmLaw
-from .as_support import as_supplied, runs_centred, told_law, warm_law
+from .as_support import FilmLaw, as_supplied, runs_centred, told_law, warm_law
 from .bearing import PlainBearing
 from .corners import corner_points, corners
 from .film import short_bearing as short

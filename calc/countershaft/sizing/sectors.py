@@ -124,7 +124,7 @@ class SectorPair:
     couple: NewtonMetre  # of the pair, from its dimensions
 
 
-def pair(
+def size_sectors(
     C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre, fillet: Metre = 0.0
 ) -> SectorPair:
     """Two equal sectors opposite each other that give the couple C with the least mass.  A gap between them that does
@@ -238,7 +238,7 @@ def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Ext
 def _of_pair(P: PhasorKilogramMetre2, room: Room) -> Sized:
     with about(Text("sectors")):
         C = f.couple_asked(P=P, omega=room.omega)
-        half = pair(C, room.omega, room.rho, room.R, room.r_0, room.z_max, room.fillet)
+        half = size_sectors(C, room.omega, room.rho, room.R, room.r_0, room.z_max, room.fillet)
         rear = f.couple_direction(P=P)
         common = dict(length=half.length, half_angle=half.half_angle, mass=half.mass, radius=half.radius)
         return Sized(

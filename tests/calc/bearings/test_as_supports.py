@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc import countershaft
-from calc.bearings import Film, film_at
+from calc.bearings import FilmLaw, film_at
 from calc.bearings.plain.film.reynolds import solve_film
 from calc.bearings.plain.film.table import FilmRangeError, film_slopes
 from calc.bearings.plain.formulas import film_at_edge
@@ -73,7 +73,7 @@ def law(row, case):
     if "K_N_mmn" in row:
         return Power(row["K_N_mmn"] * 1000 ** row["n"], row["n"], row["gap_um"] * 1e-6)
     sizes = row["d_mm"] / 1e3, row["l_mm"] / 1e3, row["c_um"] * 1e-6
-    return Film(*sizes, row["mu_mPas"] * 1e-3, case["speed_rpm"] / 60, case.get("sense", 1))
+    return FilmLaw(*sizes, row["mu_mPas"] * 1e-3, case["speed_rpm"] / 60, case.get("sense", 1))
 
 
 @pytest.mark.parametrize("name", WITH_BEARINGS)
@@ -96,7 +96,7 @@ def test_what_they_carry_agrees_with_another_program(name):
             f"standing_stiffness.{row}": carried.stiffness[i],
             f"alignment_load.{row}": on[i],
         }
-        if isinstance(film := laws[i], Film):
+        if isinstance(film := laws[i], FilmLaw):
             found[f"eccentricity.{row}"] = 2 * e / film.c
             found[f"film_edge_tilted.{row}"] = film_at_edge(h_0=film.c / 2 - e, theta=along[i], l=film.l)
     cases.compared(name, found)
@@ -106,7 +106,7 @@ def test_four_films():
     """The specification's loads of the shaft `four-supports`; it does not give the films.  Round ones are found that
     give all four loads, to the last digit that is printed of the largest."""
     case = cases.SHARE["four-supports"]
-    carried = countershaft.carried(cases.turning(case), [Film(24e-3, 18e-3, 50e-6, 6e-3, 150.0)] * 4)
+    carried = countershaft.carried(cases.turning(case), [FilmLaw(24e-3, 18e-3, 50e-6, 6e-3, 150.0)] * 4)
     assert abs(carried.load) == pytest.approx([1558.0, 1286.1, 1380.6, 1828.3], rel=4e-3)
 
 
@@ -134,13 +134,13 @@ def test_the_cone_of_the_source_s_shaft(gamma, rho, tilts, edges):
 
 
 # --- the laws
-FILM = Film(24e-3, 21e-3, 60e-6, 8e-3, 100.0)
+FILM = FilmLaw(24e-3, 21e-3, 60e-6, 8e-3, 100.0)
 ratios = st.floats(0.0201, 0.98)
 
 
 @given(eps=ratios, b=st.floats(0.1, 2.0), sense=st.sampled_from([1, -1]), lands=st.sampled_from([1, 2]))
 def test_a_film_is_that_of_the_table(eps, b, sense, lands):
-    law = Film(24e-3, b * 24e-3, 60e-6, 8e-3, 100.0, sense, lands)
+    law = FilmLaw(24e-3, b * 24e-3, 60e-6, 8e-3, 100.0, sense, lands)
     film, (load_slope, attitude_slope) = film_at(eps, b), film_slopes(eps, b)
     held, radius = law.hold(eps * 30e-6), 30e-6
     F = lands * 8e-3 * 100.0 * 24e-3 * b * 24e-3 * (24e-3 / 60e-6) ** 2 / film.sommerfeld
@@ -172,7 +172,7 @@ def test_a_film_begins_where_it_carries_the_load(F):
 
 def test_the_stiffness_of_a_thin_film_is_that_of_reynolds_equation():
     """The middle film of r754-middle-wide; the reference value there, 341.4 N/µm, is 1.4 % above the direct solution."""
-    law, e, h = Film(24e-3, 21e-3, 90e-6, 8e-3, 100.0), 41.418e-6, 1e-7
+    law, e, h = FilmLaw(24e-3, 21e-3, 90e-6, 8e-3, 100.0), 41.418e-6, 1e-7
 
     def load(e):
         return law.scale / solve_film(e / 45e-6, 21 / 24).sommerfeld
@@ -202,7 +202,7 @@ def test_the_centred_film_joins_the_table():
 
 def test_a_film_that_the_table_does_not_have_is_refused():
     with pytest.raises(FilmRangeError):
-        Film(24e-3, 60e-3, 60e-6, 8e-3, 100.0).hold(0.0)
+        FilmLaw(24e-3, 60e-3, 60e-6, 8e-3, 100.0).hold(0.0)
     with pytest.raises(FilmRangeError):
         FILM.hold(0.985 * 30e-6)
     assert FILM.farthest(0.97 * 30e-6) == pytest.approx(0.98 * 30e-6)
@@ -251,7 +251,7 @@ def any_shaft(draw, rolling=0.4, play=40e-6):
             laws.append(Power(draw.uniform(3e5, 1e6) * 1000**power, power, draw.uniform(0, play)))
         else:
             c = draw.uniform(1.2e-3, 4e-3) * 2 * radius
-            laws.append(Film(2 * radius, 2 * l, c, draw.uniform(5e-3, 12e-3), speed, sense))
+            laws.append(FilmLaw(2 * radius, 2 * l, c, draw.uniform(5e-3, 12e-3), speed, sense))
     steel = Material(name="steel", E=206e9, poisson=0.3, density=7860.0, expansion=11e-6)
     shaft = countershaft.condensed(pieces, tuple(z), 2 * math.pi * speed, steel, (), draw.uniform(0.1, 1.0))
     return shaft, laws
@@ -328,5 +328,5 @@ def test_it_begins_where_each_film_carries_what_a_pin_would():
 def test_films_of_no_clearance_are_pins():
     case = cases.SHARE["r754-sectors-honest"]
     shaft = cases.turning(case)
-    tight = countershaft.carried(shaft, [Film(24e-3, 21e-3, 1e-8, 8e-3, 100.0)] * 3)
+    tight = countershaft.carried(shaft, [FilmLaw(24e-3, 21e-3, 1e-8, 8e-3, 100.0)] * 3)
     assert tight.load == pytest.approx(countershaft.carried(shaft, [Rigid()] * 3).load, rel=1e-3)
