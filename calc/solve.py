@@ -11,7 +11,8 @@ swaps each pair."""
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field
 from functools import cache, cached_property, partial
-from typing import Any, TypeVar, cast
+from itertools import chain
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from .bearings import solve as bearings
 from .bearings.kinds import KINDS
@@ -59,11 +60,16 @@ from .sheet.number import aligned, short
 from .sheet.quantity import Published, ValueKey
 from .sheet.record import record, replace
 from .sheet.reuse import Enough, Kept, Parts
+from .sheet.shown import figure, frame, html
 from .sheet.step import Outcome, joined, judged
 from .sheet.text import Text
 from .sheet.units import Watt
 from .sheet.value import recorded, recording, trace
 from .sheet.verdict import Counts, State, colour_state, counts, design_state, verdict_words
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
 
 R = TypeVar("R")
 Shafts = dict[str, Outcome[CountershaftResult]]  # by their names
@@ -85,14 +91,34 @@ class Results:
     def __str__(self) -> str:
         """A line for each step with the value that stands for it, and the limits that fail; an outcome prints all of
         its step."""
-        values, rows = self.values(), []
+        fails = [f"  {check}" for check in self.checks() if check.verdict == "fail"]
+        rows = ((f"  {title}", verdict, words) for title, verdict, words in self._rows())
+        return "\n".join([aligned(f"{self.design.name}: {self.words()}", rows), *fails])
+
+    def _rows(self) -> Iterator[tuple[str, str, str]]:
+        """(title, verdict, what stands for it) of each step."""
+        values = self.values()
         for step in (step for step in STEPS if step.key in self.outcomes):
             outcome = self.outcomes[step.key]
             head = next(iter(step.heads(values)), None)
             words = f"{head.label}: {short(head.shown)} {head.unit}" if head else outcome.reason
-            rows.append((f"  {step.title}", outcome.verdict, words))
-        fails = [f"  {check}" for check in self.checks() if check.verdict == "fail"]
-        return "\n".join([aligned(f"{self.design.name}: {self.words()}", iter(rows)), *fails])
+            yield step.title, outcome.verdict, words
+
+    def _repr_html_(self) -> str:
+        """The same as a table in a notebook."""
+        fails = [check for check in self.checks() if check.verdict == "fail"]
+        return html(f"{self.design.name}: {self.words()}", self._rows(), fails)
+
+    def to_frame(self) -> "DataFrame":
+        """Every value of every step by its id, with its unit and label, as a frame of pandas."""
+        return frame([value for outcome in self.outcomes.values() for value in outcome.values()])
+
+    def plot(self, curve: str = "", ax: "Axes | None" = None) -> "Axes":
+        """One of the curves of all steps, by its id, with matplotlib; left out: the first.  Returns the axes.  BadInput
+        with the ids that there are, where there is no such curve."""
+        every = (each for outcome in self.outcomes.values() for each in outcome.curves)
+        longer = (each for outcome in self.outcomes.values() for each in outcome.whole.curves)
+        return figure("plot", chain(every, longer), curve).plot(ax)
 
     def __getstate__(self) -> dict[str, object]:
         """To another process go the numbers, curves and words; not what only speeds the next solve in this one."""

@@ -11,7 +11,7 @@ import pytest
 from tests.conftest import DESIGNS, GAMMA, ROOT
 from tests.import_scan import circles, graph, imported, modules
 
-HEAVY = ("scipy", "matplotlib", "reportlab", "rich", "textual", "tomlkit", "pypdf", "PIL", "ezdxf")
+HEAVY = ("scipy", "matplotlib", "reportlab", "rich", "textual", "tomlkit", "pypdf", "PIL", "ezdxf", "pandas")
 
 
 def loaded(code: str) -> set[str]:
@@ -58,14 +58,31 @@ def test_inputs_can_be_read_without_numpy():
     assert "numpy" not in loaded(f"from calc.design.toml_file import load; load({str(GAMMA)!r})")
 
 
+# where results show themselves in a notebook or a script, when that is asked for
+SHOWN = {
+    "calc.sheet.curve": {"matplotlib"},
+    "calc.sheet.shown": {"matplotlib", "pandas"},
+    "calc.sheet.step": {"matplotlib", "pandas"},
+    "calc.solve": {"matplotlib", "pandas"},
+}
+
+
 @pytest.mark.parametrize(
-    "package, forbidden",
-    [("calc", {"assistant", "reports", *HEAVY} - {"scipy", "tomli_w"}), ("reports", {"assistant", "textual", "rich"})],
+    "package, forbidden, allowed",
+    [
+        ("calc", {"assistant", "reports", *HEAVY} - {"scipy", "tomli_w"}, SHOWN),
+        ("reports", {"assistant", "textual", "rich"}, {}),
+    ],
 )
-def test_imports_go_one_way(package, forbidden):
+def test_imports_go_one_way(package, forbidden, allowed):
     seen = {name: {n.split(".")[0] for n in imported(name, path)} for name, path in modules(ROOT, package).items()}
     assert package in set.union(*seen.values())  # its own relative imports are resolved
-    assert {name: names & forbidden for name, names in seen.items() if names & forbidden} == {}
+    assert {name: names & forbidden for name, names in seen.items() if names & forbidden} == allowed
+
+
+def test_what_shows_results_loads_nothing_before_it_is_asked():
+    names = loaded("import calc.solve, calc.sheet.shown, calc.bearings; calc.bearings.Film")
+    assert not names & set(HEAVY)
 
 
 def test_scipy_is_loaded_only_where_it_is_used():

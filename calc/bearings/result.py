@@ -5,13 +5,14 @@ from ..countershaft.bending.condensed import OnSupports
 from ..countershaft.rows import IN_WORDS
 from ..sheet.arrays import Array, ComplexArray
 from ..sheet.quantity import group, result, value
+from ..sheet.shown import Shown
 from ..sheet.units import Radian, Second
 from .plain.bearing import PlainBearing
 from .support import Carrying, Support, Told
 
 
 @result
-class BearingsResult:
+class BearingsResult(Shown):
     """The bearings of a shaft, front to rear."""
 
     bearings: dict[str, Carrying] = group(spread=True, key_words=IN_WORDS)
@@ -31,14 +32,14 @@ class BearingsResult:
 
 
 @result
-class TwinBearings:
+class TwinBearings(Shown):
     """The bearings of a twin on which more stands than on those of its original: of each what is not its original's."""
 
     bearings: dict[str, object] = group(spread=True, key_words=IN_WORDS)
 
 
 @result
-class BearingsOfShafts:
+class BearingsOfShafts(Shown):
     """Those of several shafts."""
 
     shafts: dict[str, BearingsResult | TwinBearings] = group(spread=True)

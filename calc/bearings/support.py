@@ -24,6 +24,7 @@ from ..sheet.arrays import Array, BoolArray, Value
 from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.quantity import dotted, result, value
 from ..sheet.record import record
+from ..sheet.shown import Shown
 from ..sheet.step import Curve, Erratum, Table
 from ..sheet.text import Text
 from ..sheet.units import (
@@ -83,7 +84,7 @@ class StandingLoads:
 
 
 @result
-class OnShaftResult:
+class OnShaftResult(Shown):
     """How a journal lies in its bearing as the shaft turns, in the frame of the shaft, cylinder 1 at TDC; on more than
     two bearings, how the load is shared.  What has no size has no direction."""
 

@@ -4,6 +4,7 @@
 from typing import TYPE_CHECKING
 
 from ..sheet.quantity import Stated, group, result, value, values
+from ..sheet.shown import Shown
 from ..sheet.units import (
     Kilogram,
     KilogramMetre,
@@ -34,7 +35,7 @@ if TYPE_CHECKING:  # loaded only where they are asked for
 
 
 @result
-class Standing:
+class Standing(Shown):
     """The standing part of the bearings' load, and the largest load over a turn."""
 
     weight: Newton | None = value("Weight of the shaft", "N", "G_S", default=None)
@@ -65,7 +66,7 @@ class Standing:
 
 
 @result
-class SupportResult:
+class SupportResult(Shown):
     """One support: what it carries, and the load on its journal."""
 
     reaction: Newton = value("Reaction", "N", "F")
@@ -78,7 +79,7 @@ class SupportResult:
 
 
 @result
-class CountershaftResult:
+class CountershaftResult(Shown):
     """What the shaft supplies, leaves over and puts on its supports; how it bends; what its making needs."""
 
     couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S", short=True, headline=1)

@@ -10,6 +10,7 @@ from ..sheet.functions import total
 from ..sheet.linked_array import gathered
 from ..sheet.quantity import group, result, value, values
 from ..sheet.record import replace
+from ..sheet.shown import Shown
 from ..sheet.step import Outcome, beside, joined
 from ..sheet.text import Name, Text
 from ..sheet.units import (
@@ -59,7 +60,7 @@ def of_twin(original: CountershaftResult, twin: Resolved) -> CountershaftResult:
 
 
 @result
-class TwinResult:
+class TwinResult(Shown):
     """Of a twin what is not its original's."""
 
     couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S", short=True)
@@ -93,7 +94,7 @@ def told(twin: CountershaftResult) -> TwinResult:
 
 
 @result
-class ShaftsResult:
+class ShaftsResult(Shown):
     """All shafts of an engine."""
 
     sums: SystemResult = group(spread=True)

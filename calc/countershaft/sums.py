@@ -16,6 +16,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import conj, largest
 from ..sheet.quantity import group, result, value
 from ..sheet.record import record, replace
+from ..sheet.shown import Shown
 from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import (
@@ -136,7 +137,7 @@ def left(engine: OrderVectors, shafts: Sequence[SystemShaft], subject: Text = TO
 
 
 @result
-class OrderLeft:
+class OrderLeft(Shown):
     """What is left of one order, as it turns with and against the crank; its least over a turn."""
 
     force_forward: Newton = value("Force left that turns with the crank", "N", "F⁺")
@@ -152,7 +153,7 @@ class OrderLeft:
 
 
 @result
-class OrderScatter:
+class OrderScatter(Shown):
     """The errors of what turns with and against the crank, root mean squares to first order."""
 
     force_forward: Newton = value("Error of the force that turns with the crank", "N", "σ_F⁺")
@@ -162,7 +163,7 @@ class OrderScatter:
 
 
 @result
-class SystemScatter:
+class SystemScatter(Shown):
     """What 95 % of the engines stay below, by their peak over a turn; and the errors behind it, order by order."""
 
     order_1_force_95: Newton | None = value("First-order force that 95 % of the engines stay below", "N", default=None)
@@ -179,7 +180,7 @@ class SystemScatter:
 
 
 @result
-class SystemResult:
+class SystemResult(Shown):
     """What all shafts leave, order by order (those at which a shaft turns), at its peak over a turn; and the roll about
     the crank's axis, of the shafts alone and beside the torque reaction of the engine's inertia."""
 
@@ -330,7 +331,7 @@ def roll_off(late: NewtonMetre, early: NewtonMetre) -> NewtonMetre:
 
 
 @result
-class ToothOff:
+class ToothOff(Shown):
     """What is left with some of the shafts one tooth of their own wheels off, all late or all early, at its peak over a
     turn: of each value the larger."""
 

@@ -5,6 +5,7 @@ from typing import Generic
 
 from ..sheet.arrays import Value
 from ..sheet.quantity import Stated, group, result, value, values
+from ..sheet.shown import Shown
 from ..sheet.text import Text
 from ..sheet.units import (
     Metre,
@@ -26,7 +27,7 @@ MAIN_JOURNALS = {"front": Text("front"), "rear": Text("rear")}  # of a throw, wh
 
 
 @result
-class CrankSection:
+class CrankSection(Shown):
     """Moments and stresses of one section of the throw."""
 
     bending_moment: NewtonMetre = value("Bending moment", "N·m", "M")
@@ -38,7 +39,7 @@ class CrankSection:
 
 
 @result
-class Rod:
+class Rod(Shown):
     """The forces of one cylinder at one crank angle."""
 
     crank_angle: Radian = value("Crank angle after the firing of this cylinder", "°", "ε_k")
@@ -70,7 +71,7 @@ class Position(Rod):
 
 
 @result
-class ThrowResult:
+class ThrowResult(Shown):
     """The governing throw in its two positions."""
 
     cylinder: Number = value("Cylinder whose throw governs")
@@ -85,7 +86,7 @@ class ThrowResult:
 
 
 @result
-class TorqueResult:
+class TorqueResult(Shown):
     """The torque of the whole engine at rated speed; with gas over its cycle, else of the inertia forces alone."""
 
     inertia_torque_peak: NewtonMetre = value("Largest inertia torque, by amount", "N·m", "T_I")
@@ -115,7 +116,7 @@ class TorqueResult:
 
 
 @result
-class Cylinder:
+class Cylinder(Shown):
     """One cylinder of an engine whose crank radii or offsets differ."""
 
     lambda_: Number = value("Crank ratio", "", "λ")
@@ -127,7 +128,7 @@ class Cylinder:
 
 
 @result
-class EngineResult(Generic[Value]):
+class EngineResult(Shown, Generic[Value]):
     """Masses, kinematics and harmonics of an engine."""
 
     reciprocating_mass: Value = value(

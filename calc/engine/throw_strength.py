@@ -13,6 +13,7 @@ from ..sheet.check import Check, CheckRule, Missing
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, power, sqrt, tan, total
 from ..sheet.quantity import dotted, result, value
+from ..sheet.shown import Shown
 from ..sheet.text import Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Newtons, Number, Pascal, Radian, RadPerSecond
 from ..sheet.value import about, based_on, untraced
@@ -176,7 +177,7 @@ def mean(sigma: Pascal, tau: Pascal) -> Pascal:
 
 
 @result
-class ThrowFatigue:
+class ThrowFatigue(Shown):
     """The fillet that is nearest to fatigue, of all throws."""
 
     fatigue_amplitude: Pascal = value("Amplitude at the fillet that governs fatigue", "MPa", "σ_a")

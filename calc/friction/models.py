@@ -25,6 +25,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import along, exp, largest, log10, smallest
 from ..sheet.quantity import result, value
 from ..sheet.record import record
+from ..sheet.shown import Shown
 from ..sheet.step import Table
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from ..sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Watt
@@ -144,7 +145,7 @@ def loss_of_mean_friction(P: Watt, mu_m: Number, H_V: Number) -> Watt:
 
 
 @result
-class Regression:
+class Regression(Shown):
     """What one model gives; `outside`: by what the mesh lies outside its range, empty where it does not."""
 
     loss: Watt = value("Power lost in the mesh", "W", "P_VZ")

@@ -7,6 +7,7 @@ from ..countershaft.rows import IN_WORDS
 from ..sheet.formula import formula
 from ..sheet.functions import pi
 from ..sheet.quantity import group, result, value
+from ..sheet.shown import Shown
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Celsius, Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from ..sheet.value import based_on
@@ -45,7 +46,7 @@ def bearing_share(P_B: Watt, P_e: Watt) -> Number:
 
 
 @result
-class MeshResult:
+class MeshResult(Shown):
     """One mesh: what is judged, and beside it the source's model and the published ones, all at the same power."""
 
     judged: MeshLoss = group(spread=True)
@@ -68,7 +69,7 @@ def by_regime(mesh: MeshResult) -> MeshLoss:
 
 
 @result
-class StageLoss:
+class StageLoss(Shown):
     """One chain or belt."""
 
     power_in: Watt = value("Power that the chain or belt takes in", "W", "P_in")
@@ -80,7 +81,7 @@ DIPPED = "Loss of the turning masses in oil at rest, at most; not counted"
 
 
 @result
-class ShaftLoss:
+class ShaftLoss(Shown):
     """One of several shafts."""
 
     bearing_loss: Watt = value("Bearings of the shaft", "W", "P_B")
@@ -89,7 +90,7 @@ class ShaftLoss:
 
 
 @result
-class JournalResult:
+class JournalResult(Shown):
     """One journal of the counter-shaft in the balance: its friction over a turn, with what stands still beside the
     turning load."""
 
@@ -98,7 +99,7 @@ class JournalResult:
 
 
 @result
-class ScenarioMesh:
+class ScenarioMesh(Shown):
     """One mesh under the conditions of a scenario: judged, and by the source's model."""
 
     judged: MeshLoss = group(spread=True)
@@ -106,7 +107,7 @@ class ScenarioMesh:
 
 
 @result
-class ScenarioResult:
+class ScenarioResult(Shown):
     """One scenario."""
 
     meshes: dict[str, ScenarioMesh] = group(spread=True)
@@ -125,7 +126,7 @@ class ScenarioResult:
 
 
 @result
-class FrictionResult:
+class FrictionResult(Shown):
     """All meshes, all wheels and the closed balance."""
 
     meshes: dict[str, MeshResult] = group(spread=True)

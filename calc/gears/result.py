@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
+from ..sheet.shown import Shown
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RevPerSecond
 from .accuracy import ToothTolerances
 from .backlash.formulas import PlayResult, TrainPlay
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 
 @result
-class ToothSystem:
+class ToothSystem(Shown):
     """What all wheels of a train have in common; tool addendum and tip radius in modules."""
 
     transverse_module: Metre = value("Transverse module", "mm", "m_t", short=True)
@@ -50,7 +51,7 @@ class End:
 
 
 @result
-class WheelResult:
+class WheelResult(Shown):
     """One wheel.  Values ending in _min and _max belong to the two ends of the allowance of the span."""
 
     profile_shift: Number = value("Profile shift coefficient", "", "x")
@@ -112,7 +113,7 @@ class WheelResult:
 
 
 @result
-class MeshResult:
+class MeshResult(Shown):
     """One mesh."""
 
     centre_distance: Metre = value("Centre distance", "mm", "a_w", short=True)
@@ -192,7 +193,7 @@ def working_circles(meshes: Mapping[str, MeshResult], wheel: str) -> list[tuple[
 
 
 @result
-class ShaftTurn:
+class ShaftTurn(Shown):
     """How the wheel of one shaft turns with the first driver, and what its free turn leaves of what the shaft
     balances."""
 
@@ -210,7 +211,7 @@ class ShaftTurn:
 
 
 @result
-class TrainResult:
+class TrainResult(Shown):
     """The whole train.  What is None was not asked, or waits for another step."""
 
     system: ToothSystem = group(spread=True)

@@ -11,6 +11,7 @@ from ..sheet.check import Check, CheckRule
 from ..sheet.formula import formula
 from ..sheet.functions import pi, sin
 from ..sheet.quantity import dotted, result, value
+from ..sheet.shown import Shown
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Newton, NewtonMetre, Number, Radian, RevPerSecond
 from ..sheet.value import about
@@ -22,7 +23,7 @@ TEETH = 19  # rule of thumb of the makers of chains
 
 
 @result
-class StageResult:
+class StageResult(Shown):
     """One chain or belt; what is None is not known, or is nothing that a belt has."""
 
     pitch_diameter_driver: Metre = value("Pitch diameter of the driving sprocket", "mm", "d_1")

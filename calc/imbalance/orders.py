@@ -12,6 +12,7 @@ from ..sheet.arrays import Value
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, resultant
 from ..sheet.quantity import group, result, value
+from ..sheet.shown import Shown
 from ..sheet.text import Text
 from ..sheet.units import (
     Kilogram,
@@ -211,7 +212,7 @@ DUST = 1e-9  # of one cylinder's m·r·ω²: so little is not worth a figure
 
 
 @result
-class Order(Generic[Value]):
+class Order(Shown, Generic[Value]):
     """One order: the vectors turning with and against the crank at n times its speed, after the crank's own
     counterweights.
 

@@ -15,6 +15,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, joined, modulus, resultant
 from ..sheet.quantity import group, result, value
 from ..sheet.record import replace
+from ..sheet.shown import Shown
 from ..sheet.text import Amount, Text
 from ..sheet.units import (
     Kilogram,
@@ -189,7 +190,7 @@ def counterweight_direction(U_cw: PhasorKilogramMetre) -> Radian:
 
 
 @result
-class BalanceShaft:
+class BalanceShaft(Shown):
     """What one shaft of a remedy carries; directions with cylinder 1 at TDC, from up, in the sense of crank
     rotation."""
 
@@ -201,7 +202,7 @@ class BalanceShaft:
 
 
 @result
-class BalancingRemedy:
+class BalancingRemedy(Shown):
     """One remedy: its share on the crank, its shafts, and the peaks of force and couple that it leaves."""
 
     title: str
@@ -226,7 +227,7 @@ class BalancingRemedy:
 
 
 @result
-class Counterweight:
+class Counterweight(Shown):
     """One of the two counterweights that take the crank's share."""
 
     mass: Kilogram = value("Mass", "g", "m_cw")

@@ -5,6 +5,7 @@ from typing import Generic
 
 from ..sheet.arrays import Value
 from ..sheet.quantity import group, result, value
+from ..sheet.shown import Shown
 from ..sheet.text import Text
 from ..sheet.units import Newton, NewtonMetre
 from .orders import Order
@@ -15,7 +16,7 @@ from .webs import WebsResult
 
 
 @result
-class ImbalanceResult(Generic[Value]):
+class ImbalanceResult(Shown, Generic[Value]):
     """All orders, what the counter-shaft must supply, and the remedies."""
 
     orders: dict[str, Order[Value]] = group(spread=True, short=("order_1", "order_2"), leads=("order_2",))

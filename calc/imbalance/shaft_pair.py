@@ -14,6 +14,7 @@ from ..sheet.check import Check, CheckRule
 from ..sheet.formula import formula
 from ..sheet.functions import argument, conj, imag, joined, modulus
 from ..sheet.quantity import dotted, result, value
+from ..sheet.shown import Shown
 from ..sheet.step import Table
 from ..sheet.text import Text
 from ..sheet.units import Metre, Newton, NewtonMetre, PhasorMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
@@ -96,7 +97,7 @@ def best_height_difference(Dh: Metre, T: PhasorNewtonMetre, F_f: PhasorNewton, F
 
 
 @result
-class ShaftPair:
+class ShaftPair(Shown):
     """Two shafts of one order at their places, and the roll about the crank's axis with and without them."""
 
     force_forward: Newton = value("Force of the shaft that turns forward", "N", "F_S⁺")

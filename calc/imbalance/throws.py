@@ -17,6 +17,7 @@ from ..sheet.arrays import ComplexArray
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, resultant
 from ..sheet.quantity import result, value
+from ..sheet.shown import Shown
 from ..sheet.step import Curve, Series, Table
 from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, Metre, Metres, Newton, NewtonMetre, Number, Radians, RadPerSecond
@@ -61,7 +62,7 @@ def reciprocating_not_balanced(M_alt: Kilogram, M_rot: Kilogram, M_eq: Kilogram)
 
 
 @result
-class Throws:
+class Throws(Shown):
     """The throws with nothing balanced, and with what the crank carries of the reciprocating masses."""
 
     force: Newton = value("Centrifugal force of one throw's rotating mass", "N", "F_c")

@@ -23,6 +23,7 @@ from ..sheet.functions import argument, cis, imag, modulus, resultant, total
 from ..sheet.linked_array import column, elements, gathered
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.record import replace
+from ..sheet.shown import Shown
 from ..sheet.step import Table
 from ..sheet.text import Text
 from ..sheet.units import (
@@ -116,7 +117,7 @@ def direction(U: PhasorKilogramMetre) -> Radian:
 
 
 @result
-class WebDrilling:
+class WebDrilling(Shown):
     """One web."""
 
     mass: Kilogram = value("Mass to drill out", "g", "m_k")
@@ -308,7 +309,7 @@ def couple_not_supplied(C_pf: PhasorNewtonMetre, C_U: PhasorNewtonMetre) -> Newt
 
 
 @result
-class CrankState:
+class CrankState(Shown):
     """The crank in one state: bare, with the bobs as stated, or with those found."""
 
     unbalance_up: KilogramMetre = value("Static unbalance, up", "kg·mm", "S_x")
@@ -323,7 +324,7 @@ class CrankState:
 
 
 @result
-class WebsResult:
+class WebsResult(Shown):
     """The crank's own balance, and what it leaves to pulley and flywheel."""
 
     bob_mass: dict[str, Stated] | None = group(default=None, words="bob mass")

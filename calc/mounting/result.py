@@ -12,6 +12,7 @@ import numpy as np
 from ..sheet.arrays import Array
 from ..sheet.quantity import Described, Stands, Stated, group, result, value
 from ..sheet.record import record, replace
+from ..sheet.shown import Shown
 from ..sheet.text import Text
 from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Newton, Number, Radian
 from ..sheet.value import based_on, recorder
@@ -38,7 +39,7 @@ Tree = dict[str, Any]  # Any: dicts of dicts down to a Stated, by the parts of t
 
 
 @result
-class Mode:
+class Mode(Shown):
     """One of the six modes of the engine on rigid ground, slowest first."""
 
     frequency: Hertz = value("Frequency", "Hz", "f")
@@ -47,7 +48,7 @@ class Mode:
 
 
 @result
-class RollAxis:
+class RollAxis(Shown):
     """The axis about which a free engine turns under a torque about the crank."""
 
     angle: Radian = value("Torque roll axis from the crank", "°", "∠e_T", short=True)
@@ -58,7 +59,7 @@ class RollAxis:
 
 
 @result
-class StaticMount:
+class StaticMount(Shown):
     """A mount under the weight of the engine."""
 
     deflection: Metre = value("Static deflection along the first own axis", "mm", "δ_1", short=True)
@@ -66,7 +67,7 @@ class StaticMount:
 
 
 @result
-class Ceiling:
+class Ceiling(Shown):
     """How stiff all mounts may become."""
 
     highest_factor: Number = value("Highest factor of all stiffnesses for isolation at idle", "", "s_high")
@@ -74,7 +75,7 @@ class Ceiling:
 
 
 @result
-class Window:
+class Window(Shown):
     """By which factor all stiffnesses may be changed: not below the road's frequency, not above what isolates at
     idle."""
 
@@ -85,7 +86,7 @@ class Window:
 
 
 @result
-class Focal:
+class Focal(Shown):
     """Two mounts that mirror each other: how they would have to lean for the engine to turn about its centre of
     gravity."""
 
@@ -94,21 +95,21 @@ class Focal:
 
 
 @result
-class OrderLevel:
+class OrderLevel(Shown):
     """What of one order is felt."""
 
     weighted: MetrePerSecond2 | None = value("Weighted acceleration of this order, rms", "m/s²", "a_w", default=None)
 
 
 @result
-class OrderForce:
+class OrderForce(Shown):
     """What a mount has of one order."""
 
     force: Newton | None = value("Force of the mount, this order, rms", "N", "F", default=None)
 
 
 @result
-class PointLevel:
+class PointLevel(Shown):
     """All orders together at a point, rms; the weighted ones at seats and hands.  None: an undamped resonance is
     hit."""
 
@@ -149,7 +150,7 @@ class FeltLevel(PointLevel):
 
 
 @result
-class MountLevel:
+class MountLevel(Shown):
     """A mount, all orders together."""
 
     force: Newton | None = value("Force of the mount, rms", "N", "F", default=None)
@@ -158,7 +159,7 @@ class MountLevel:
 
 
 @result
-class MountingResult:
+class MountingResult(Shown):
     """Six modes, statics and aids, then operation by operation what the engine, the frame and the driver feel."""
 
     frequency: dict[str, Stated] = group(words="frequency")

@@ -119,15 +119,20 @@ def table(record: object) -> str:
 
     Of results only what they publish stands in it.
     """
-    return aligned(type(record).__name__, _inside(record, "  "))
+    return aligned(type(record).__name__, rows(record))
 
 
-def aligned(title: str, rows: Iterator[tuple[str, str, str]]) -> str:
+def rows(record: object) -> Iterator[tuple[str, str, str]]:
+    """The rows of that table: label, value, unit."""
+    return _inside(record, "  ")
+
+
+def aligned(title: str, body: Iterable[tuple[str, str, str]]) -> str:
     """Rows of (label, value, unit) under a title, values flush right."""
-    body = list(rows)
-    left = max((len(label) for label, _, _ in body), default=0)
-    right = max((len(value) for _, value, _ in body), default=0)
-    return "\n".join([title, *(f"{label:<{left}}  {value:>{right}} {unit}".rstrip() for label, value, unit in body)])
+    rows = list(body)
+    left = max((len(label) for label, _, _ in rows), default=0)
+    right = max((len(value) for _, value, _ in rows), default=0)
+    return "\n".join([title, *(f"{label:<{left}}  {value:>{right}} {unit}".rstrip() for label, value, unit in rows)])
 
 
 def _rows(label: str, content: object, unit: str, indent: str) -> Iterator[tuple[str, str, str]]:

@@ -1,22 +1,34 @@
 # SPDX-License-Identifier: Apache-2.0
 """A step of the design, what solving it gives, and the curves and tables that screen and paper draw."""
 
-import cmath
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property, partial
-from typing import Generic, Literal, TypeVar, cast
+from itertools import chain
+from typing import TYPE_CHECKING, Generic, Literal, TypeVar, cast
 
-from .arrays import Array
 from .check import Check, stretched
+from .curve import Curve as Curve
+from .curve import DrawnLoad as DrawnLoad
+from .curve import Series as Series
+from .curve import Turning as Turning
+from .curve import Walk as Walk
+from .curve import axis_label as axis_label
+from .curve import line_of as line_of
+from .curve import said_of
 from .deferred import Later, Many
 from .errors import NoSolution, text_of
 from .number import aligned, brief
 from .quantity import Published, insides, published
 from .record import record, replace
+from .shown import figure, frame, html
 from .text import EMPTY, Amount, Name, Text
 from .value import Line
 from .verdict import Counts, colour_state, counts, grouped, step_state, verdict_words
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
 
 State = Literal["solved", "blocked", "not_asked", "no_solution"]
 R = TypeVar("R", covariant=True)  # a step's class of results
@@ -40,115 +52,6 @@ class Step:
         return [value for value in present if value.shown] or present
 
 
-def axis_label(label: str, unit: str) -> Text:
-    """The label of an axis: what runs along it, and its unit behind a comma."""
-    return Text("{quantity}, {unit}", quantity=Text(label), unit=unit)
-
-
-@record
-class Series:
-    """One line of a curve, in shown units.  `variant`: the one of the curve's variants that it belongs to; empty: all
-    of them.  `dashed`: it is told from whole lines by that, and those that are have in turn the same colours."""
-
-    label: Text
-    x: Array  # (points,)
-    y: Array  # (points,)
-    variant: Text = EMPTY
-    dashed: bool = False
-
-
-def line_of(series: Sequence[Series], n: int) -> int:
-    """Which of the colours the n-th of them has: the whole ones have theirs in turn, and so have the dashed ones."""
-    if n >= len(series):
-        return n
-    return sum(other.dashed == series[n].dashed for other in series[:n])
-
-
-@record
-class Turning:
-    """Vectors set tip to tail, each turning at `orders` times the crank's speed (negative: backward).  Their end runs
-    along a locus.
-
-    Real is up, imaginary is to the right: 90° further in the sense of crank rotation.
-    """
-
-    names: tuple[Text, ...]
-    phasors: tuple[complex, ...]
-    orders: tuple[int, ...]
-    variant: Text = EMPTY
-
-    def at(self, theta: float) -> list[complex]:
-        """Origin, tips and end of the chain at a crank angle [rad]."""
-        points = [0j]
-        for phasor, order in zip(self.phasors, self.orders):
-            points.append(points[-1] + phasor * cmath.exp(1j * order * theta))
-        return points
-
-
-@record
-class DrawnLoad:
-    """A force across what a curve draws, up where it is above nought; `held`: by a support, which pushes, where others
-    pull."""
-
-    label: Text
-    x: float
-    size: float
-    held: bool = False
-
-
-@record
-class Walk:
-    """A curve that the session shows at other points too, made when it goes there.
-
-    `at`: the curve at one of `steps` along the way and in one of `rows`; `here`: the step and the row of the curve that
-    has the walk.  Curves of one `stack` are walked together."""
-
-    at: Callable[[int, int], "Curve"]
-    steps: int
-    rows: int
-    here: tuple[int, int]
-
-
-@record
-class Curve:
-    """Data with labels and limit lines; terminal and paper draw the same object.
-
-    `equal`: both axes in true scale.  `bars`: the series are groups of bars at their x; with `names` the groups at 1,
-    2, … have these, and paper lays them on their side.  `variants`: the terminal shows one of them at a time, paper
-    all.  `turning`: the vectors whose ends draw the loci. `point`: where the design stands on it, and `fails`: whether
-    it is on the wrong side of a limit there. `band`: its last two series are the edges of a band, which paper fills.
-    `stack`: curves of one stack stand on paper over each other as one figure, along one x. `loads`: forces across it,
-    which paper draws as arrows; `load_unit`: what they are in. `short`: its place among the figures of a short report,
-    from 1; of those with one place the first of the step stands. `along`: what all series run along, where it is not x,
-    as of loci: its label and its value at each of their points. `walk`: the same at other points."""
-
-    id: str
-    title: Text
-    x_label: Text
-    y_label: Text
-    series: tuple[Series, ...]
-    limits: tuple[tuple[Text, float], ...] = ()
-    equal: bool = False
-    bars: bool = False
-    names: tuple[Text, ...] = ()
-    variants: tuple[Text, ...] = ()
-    turning: tuple[Turning, ...] = ()
-    along: tuple[Text, Array] | None = None
-    point: tuple[float, float] | None = None
-    fails: bool = False
-    band: bool = False
-    stack: str = ""
-    loads: tuple[DrawnLoad, ...] = ()
-    load_unit: str = ""
-    short: int = 0
-    walk: Walk | None = None
-
-    def of_one(self, name: str) -> "Curve":
-        """The same as that of one of several shafts."""
-        stack = f"{name}.{self.stack}" if self.stack else ""
-        return replace(self, id=f"{name}.{self.id}", title=_said_of(name, self.title), stack=stack)
-
-
 @record
 class Table:
     """A table of results that belong side by side.  `columns`: (label, unit); cells are Texts, names, numbers in it, or
@@ -168,7 +71,7 @@ class Table:
     def of_one(self, step: str, name: str) -> "Table":
         """The same as that of one of several shafts."""
         covers = tuple(f"{step}.{name}.{id.removeprefix(f'{step}.')}" for id in self.covers)
-        return replace(self, id=f"{name}.{self.id}", title=_said_of(name, self.title), covers=covers)
+        return replace(self, id=f"{name}.{self.id}", title=said_of(name, self.title), covers=covers)
 
 
 @record
@@ -221,9 +124,26 @@ class Outcome(Generic[R]):
 
     def __str__(self) -> str:
         """The verdict, every value by its id, and the checks that are open."""
-        title = f"{self.key}: {self.words()}" + (f", {self.reason}" if self.reason else "")
-        shown = aligned(title, ((f"  {v.id}", brief(v.shown), f"{v.unit:<9} {v.label}") for v in self.values()))
+        shown = aligned(self._title(), ((f"  {v.id}", brief(v.shown), f"{v.unit:<9} {v.label}") for v in self.values()))
         return "\n".join([shown, *(f"  {check}" for check in self.checks if check.open)])
+
+    def _title(self) -> str:
+        return f"{self.key}: {self.words()}" + (f", {self.reason}" if self.reason else "")
+
+    def _repr_html_(self) -> str:
+        """The same as a table in a notebook."""
+        rows = ((v.id, brief(v.shown), f"{v.unit:<9} {v.label}") for v in self.values())
+        return html(self._title(), rows, [check for check in self.checks if check.open])
+
+    def to_frame(self) -> "DataFrame":
+        """Every value by its id, with its unit and label, as a frame of pandas; empty where the step is not solved."""
+        return frame(self.values())
+
+    def plot(self, curve: str = "", ax: "Axes | None" = None) -> "Axes":
+        """One of its curves, by its id, with matplotlib; left out: the first.  Returns the axes.  BadInput, with the
+        ids that there are, where there is no such curve."""
+        every = chain(self.curves, self.whole.curves) if curve else self.curves or self.whole.curves
+        return figure(f"{self.key}.plot", every, curve).plot(ax)
 
     @cached_property
     def whole(self) -> "Outcome[R]":
@@ -303,8 +223,8 @@ def joined(
         curves=Later(lambda: (curve.of_one(name) for name, outcome in every for curve in outcome.curves)),
         tables=Later(lambda: (table.of_one(key, name) for name, outcome in every for table in outcome.tables)),
         errata=Later(lambda: (erratum for _, outcome in every for erratum in outcome.errata)),
-        proposals=tuple(_said_of(name, words) for name, outcome in every for words in outcome.proposals),
-        notes=Later(lambda: (_said_of(name, note) for name, outcome in every for note in outcome.notes)),
+        proposals=tuple(said_of(name, words) for name, outcome in every for words in outcome.proposals),
+        notes=Later(lambda: (said_of(name, note) for name, outcome in every for note in outcome.notes)),
         reason=reason,
         further=partial(_further, key, longer) if longer else None,
         key_curves=Later(lambda: (curve.of_one(name) for name, outcome in every for curve in outcome.key_curves)),
@@ -317,7 +237,7 @@ def _further(key: str, longer: Sequence[tuple[str, Callable[[], Further]]]) -> F
     return Further(
         curves=Later(lambda: (curve.of_one(name) for name, one in more for curve in one.curves)),
         tables=tuple(table.of_one(key, name) for name, one in more for table in one.tables),
-        notes=tuple(_said_of(name, note) for name, one in more for note in one.notes),
+        notes=tuple(said_of(name, note) for name, one in more for note in one.notes),
     )
 
 
@@ -331,11 +251,6 @@ def beside(sums: Outcome[object], shafts: Outcome[R]) -> Outcome[R]:
         tables=sums.tables + shafts.tables,
         notes=sums.notes + shafts.notes,
     )
-
-
-def _said_of(name: str, words: Text) -> Text:
-    """What is said of one of several shafts."""
-    return Text("{name}: {words}", name=Name(name), words=words)
 
 
 def judged(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], ...]) -> dict[str, Outcome[object]]:

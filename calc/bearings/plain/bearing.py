@@ -14,6 +14,7 @@ from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import dotted, group, result
 from ...sheet.record import replace
+from ...sheet.shown import Shown
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Kilogram, Metre, Newton, NewtonPerMetre, Radian, RevPerSecond, Watt
 from ...sheet.value import about, based_on, untraced
@@ -61,7 +62,7 @@ ALIGNMENT = CheckRule(
 
 
 @result
-class TwinBearing:
+class TwinBearing(Shown):
     """Of a bearing of a twin what is not its original's."""
 
     standing: StandingResult = group(spread=True)

@@ -13,6 +13,7 @@ from ...sheet.arrays import Array
 from ...sheet.linked_array import gathered, item
 from ...sheet.quantity import result, value
 from ...sheet.record import record, replace
+from ...sheet.shown import Shown
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre, Radian
@@ -58,7 +59,7 @@ class Exact:
 
 
 @result
-class Corners:
+class Corners(Shown):
     """The worst of the eight corners, each quantity for itself; None: a corner has no film."""
 
     clearance_min: Metre = value("Smallest clearance of the fits", "µm", "g_min")

@@ -3,6 +3,7 @@
 
 from ...sheet.arrays import Array
 from ...sheet.quantity import group, result, value, values
+from ...sheet.shown import Shown
 from ...sheet.text import Name, Text
 from ...sheet.units import (
     Celsius,
@@ -31,7 +32,7 @@ from .speeds import Sweep
 
 
 @result
-class RouteResult:
+class RouteResult(Shown):
     """What one route finds, in thermal balance."""
 
     film: Metre = value("Smallest film", "µm", "h_0")
@@ -71,7 +72,7 @@ def route_result(film: Film) -> RouteResult:
 
 
 @result
-class StandingResult:
+class StandingResult(Shown):
     """The part of the load that stands still while the rest turns: weight and gear force."""
 
     standing_load: Newton = value("Standing part of the load, at most", "N", "R_0")
@@ -93,7 +94,7 @@ def _degrees(at: str) -> Text:
 
 
 @result
-class PlainResult:
+class PlainResult(Shown):
     """One bearing as judged, and beside it the routes on the clearance as given."""
 
     film: Metre = value("Smallest film", "µm", "h_0", short=True, headline=2)

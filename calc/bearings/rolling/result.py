@@ -2,6 +2,7 @@
 """What is published of a rolling bearing."""
 
 from ...sheet.quantity import group, result, value
+from ...sheet.shown import Shown
 from ...sheet.units import (
     Celsius,
     CubicMetrePerSecond,
@@ -22,7 +23,7 @@ from ..support import OnShaftResult
 
 
 @result
-class DutyRowResult:
+class DutyRowResult(Shown):
     """One row of the duty."""
 
     loss: Watt = value("Friction power", "W", "P_f")
@@ -33,7 +34,7 @@ class DutyRowResult:
 
 
 @result
-class RollingResult:
+class RollingResult(Shown):
     """One rolling bearing at rated speed, its life over the whole duty."""
 
     life: Second | None = value(

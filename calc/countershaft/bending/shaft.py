@@ -25,6 +25,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column, gathered, item, where
 from ...sheet.quantity import result, value
 from ...sheet.record import record, replace
+from ...sheet.shown import Shown
 from ...sheet.text import COMMA, Amount, Text
 from ...sheet.units import (
     Metre,
@@ -200,7 +201,7 @@ SAME = 1e-6  # m: so far a bearing may lie beyond the shaft's end
 
 
 @result
-class Bending:
+class Bending(Shown):
     """The shaft's bending, with the sectors' stiffness at its share η where nothing else is said; `_stiff`: with all of
     it.
 

@@ -20,6 +20,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import atan, cis, conj, cos, joined, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import dotted, result, value
 from ...sheet.record import record, replace
+from ...sheet.shown import Shown
 from ...sheet.text import EMPTY, Amount, Name, Text, listed
 from ...sheet.units import (
     Metre,
@@ -385,7 +386,7 @@ def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
 
 
 @result
-class BoltsResult:
+class BoltsResult(Shown):
     """One bolt, and the joint.  The safeties are None where nothing puts a force on it."""
 
     bolt_head_face: Metre | None = value("Face under a bolt's head, diameter assumed", "mm", "d_w", default=None)
@@ -627,8 +628,8 @@ SLIP_VDI = CheckRule(
     Text("Safety against slip while the load turns, as VDI 2230 asks for"),
     source=Text("VDI 2230-1, R12, from memory: 1.8 where the load comes from alternate sides, 1.2 where it stands"),
     advice=Text(
-        "More or larger bolts, a larger torque, or rows of bolts further apart; or more friction of the joint, where it is "
-        "known."
+        "More or larger bolts, a larger torque, or rows of bolts further apart; or more friction of the joint, where "
+        "it is known."
     ),
     demand=True,
     cause="countershaft.J.slip",

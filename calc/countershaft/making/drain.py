@@ -15,6 +15,7 @@ from ...sheet.check import Check, CheckRule
 from ...sheet.formula import formula
 from ...sheet.quantity import dotted, result, value
 from ...sheet.record import replace
+from ...sheet.shown import Shown
 from ...sheet.text import EMPTY, Amount, Name, Text
 from ...sheet.units import CubicMetrePerSecond, Metre, MetreTuple, Radian
 from ...sheet.value import about, based_on
@@ -113,7 +114,7 @@ def tilted_slope(theta: Radian, tau: Radian) -> Radian:
 
 
 @result
-class DrainResult:
+class DrainResult(Shown):
     """Clamp and union; None where none fits.  `tried` and `tried_din3021` are the margins of the one clamp that could
     grip, taken or not (None: each is too large); `reason` says why it was not taken."""
 

@@ -21,6 +21,7 @@ from ...sheet.functions import modulus, rss, sqrt
 from ...sheet.linked_array import column
 from ...sheet.quantity import dotted, result, value
 from ...sheet.record import record, replace
+from ...sheet.shown import Shown
 from ...sheet.step import Curve, Series, Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -156,7 +157,7 @@ def ranked(ordered: Array, p: float) -> float:
 
 
 @result
-class ScatterResult:
+class ScatterResult(Shown):
     """Shares are of all shafts tried; the shares within, drilled, too light and beyond drilling make one."""
 
     couple_error: NewtonMetre = value("Error of the couple, root mean square to first order", "N·m", "σ_C")

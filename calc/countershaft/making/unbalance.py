@@ -18,6 +18,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, pi, smallest, total
 from ...sheet.quantity import dotted, result, value
 from ...sheet.remedy import Remedy, by_key, down
+from ...sheet.shown import Shown
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
@@ -41,7 +42,7 @@ HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013,
 
 
 @result
-class HolesResult:
+class HolesResult(Shown):
     """What one hole takes away, and all of them at full depth together."""
 
     hole_mass: Kilogram = value("Mass removed by one calibration hole", "g", "m_c")
@@ -267,7 +268,7 @@ MOST_INBOARD, MOST_OUTBOARD = 0.7, 1.3  # the larger one: centre of gravity betw
 
 
 @result
-class ToleranceResult:
+class ToleranceResult(Shown):
     """What the grade permits in all, in each bearing plane, and as an error of the couple."""
 
     residual_unbalance_permitted: KilogramMetre = value("Permitted residual unbalance", "g·mm", "U_per", short=True)

@@ -16,6 +16,7 @@ from ...sheet.progress import Progress, tell
 from ...sheet.quantity import dotted, result, value
 from ...sheet.record import record
 from ...sheet.remedy import Changes, digits
+from ...sheet.shown import Shown
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import SEMICOLON, Amount, Name, Text
 from ...sheet.units import (
@@ -60,7 +61,7 @@ class Seat:
 
 
 @result
-class MaterialResult:
+class MaterialResult(Shown):
     """One material; what depends on a size or a cost that is not known is left out."""
 
     density: KilogramPerMetre3 | None = value("Density", "kg/m³", "ρ'", default=None)

@@ -21,6 +21,7 @@ from ...sheet.functions import root
 from ...sheet.linked_array import column
 from ...sheet.quantity import group, result, value
 from ...sheet.record import record
+from ...sheet.shown import Shown
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
     Kilogram,
@@ -50,7 +51,7 @@ DUST = 1e-12  # of what the envelope can do: a force or an unbalance below it is
 
 
 @result
-class SizedSector:
+class SizedSector(Shown):
     """One sector of the shaft.  Its direction is that of its middle; one without mass has no half-angle."""
 
     length: Metre = value("Length of the sector", "mm", "b")
@@ -62,7 +63,7 @@ class SizedSector:
 
 
 @result
-class Sized:
+class Sized(Shown):
     """The lightest pair of sectors in the envelope.  `sector_length` and `sector_half_angle` are the larger of both
     sectors'."""
 
@@ -112,7 +113,7 @@ class TooSmall(NoSolution):
 
 
 @result
-class SectorPair:
+class SectorPair(Shown):
     """A pure couple's two equal sectors."""
 
     utilisation: Number

@@ -25,6 +25,7 @@ from ...sheet.functions import argument, cos, joined, largest, modulus, root
 from ...sheet.linked_array import column, gathered
 from ...sheet.quantity import result
 from ...sheet.record import replace
+from ...sheet.shown import Shown
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
     Kilogram,
@@ -71,7 +72,7 @@ NOT_THE_LIGHTEST = Text(
 
 
 @result
-class SizedStretches:
+class SizedStretches(Shown):
     """The sectors between the bearings, front to rear; `lightest`: whether no others of their kind weigh less."""
 
     mass: Kilogram

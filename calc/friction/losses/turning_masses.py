@@ -20,6 +20,7 @@ from ...sheet.functions import acos, largest, pi, resultant, smallest, sqrt
 from ...sheet.linked_array import column
 from ...sheet.quantity import result, value
 from ...sheet.record import record
+from ...sheet.shown import Shown
 from ...sheet.text import Text
 from ...sheet.units import (
     KilogramPerMetre3,
@@ -46,7 +47,7 @@ ON_TOP: Metre = 0.0
 
 
 @result
-class MassLoss:
+class MassLoss(Shown):
     """What the sectors of one shaft lose to the mist."""
 
     mass_loss_low: Watt = value("Loss of the turning masses, at least", "W", "P_M,min", short=True)

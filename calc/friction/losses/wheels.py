@@ -13,6 +13,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import acos, atan, cos, tan
 from ...sheet.quantity import result, value
+from ...sheet.shown import Shown
 from ...sheet.text import Text
 from ...sheet.units import (
     Celsius,
@@ -36,7 +37,7 @@ Asked = TypeVarTuple("Asked")
 
 
 @result
-class WheelResult:
+class WheelResult(Shown):
     """One wheel; what it does not have is None."""
 
     speed: RevPerSecond = value("Speed of the wheel", "rpm", "n")

@@ -21,6 +21,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import along, single_or_many, sqrt
 from ...sheet.quantity import result, value
 from ...sheet.record import record, replace
+from ...sheet.shown import Shown
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import (
     Celsius,
@@ -288,7 +289,7 @@ class Local:
 
 
 @result
-class MeshLoss(Generic[Value]):
+class MeshLoss(Shown, Generic[Value]):
     """The loss of one mesh by one model of the film; of many operating points every number is an array."""
 
     loss: Value = value("Power lost in the mesh", "W", "P_VZ", short=True)

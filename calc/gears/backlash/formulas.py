@@ -9,6 +9,7 @@ from ...library.table_file import house_table
 from ...sheet.formula import formula
 from ...sheet.functions import cos, inv, joined, pi, rss, sin, smallest, tan, total
 from ...sheet.quantity import result, value
+from ...sheet.shown import Shown
 from ...sheet.text import Text
 from ...sheet.units import (
     Celsius,
@@ -315,7 +316,7 @@ def phase_error_rss(Delta_phi: Radian, delta: Radians) -> Radian:
 
 
 @result
-class PlayResult:
+class PlayResult(Shown):
     """One mesh.  Backlashes are normal to the flanks.  The smallest ones are with the runout, but for `backlash_min` of
     the mesh itself."""
 
@@ -369,7 +370,7 @@ class PlayResult:
 
 
 @result
-class TrainPlay:
+class TrainPlay(Shown):
     """The last wheel, the first driver standing.  The worst case of the tolerances is the train's phase error
     itself."""
 

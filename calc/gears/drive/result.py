@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from ...sheet.quantity import Stated, group, result, value
 from ...sheet.record import record
+from ...sheet.shown import Shown
 from ...sheet.text import Text
 from ...sheet.units import (
     KilogramMetre2,
@@ -35,7 +36,7 @@ MOST = "largest backlash, least drag"
 
 
 @result
-class MotionAt:
+class MotionAt(Shown):
     """The crank at one operating point."""
 
     irregularity: Number = value("Irregularity of the crank", "%", "δ_s", short=True)
@@ -46,7 +47,7 @@ class MotionAt:
 
 
 @result
-class MeshAt:
+class MeshAt(Shown):
     """One mesh at one operating point.  Forces act along the transverse line of action, + on the driving flank; those
     ending in _most are with the largest backlash when all is warm and 0.7 of the drag."""
 
@@ -73,7 +74,7 @@ class MeshAt:
 
 
 @result
-class ScissorResult:
+class ScissorResult(Shown):
     """A split wheel in its mesh; what is None is not known."""
 
     torque_least: NewtonMetre = value("Torque of the spring at the largest backlash", "N·m", "T_S")
@@ -92,7 +93,7 @@ class ScissorResult:
 
 
 @result
-class MeshOverSpeed:
+class MeshOverSpeed(Shown):
     """One mesh over the range of speeds and loads."""
 
     operations: dict[str, MeshAt] = group(spread=True, key_words=OPERATIONS)
@@ -117,7 +118,7 @@ class MeshOverSpeed:
 
 
 @result
-class WheelStruck:
+class WheelStruck(Shown):
     """One wheel under the hardest strike in any of its meshes."""
 
     strike_safety_bending_low: Number | None = value(
@@ -147,7 +148,7 @@ class Window:
 
 
 @result
-class DriveResult:
+class DriveResult(Shown):
     """The crank and the train behind it over speed and load."""
 
     idle_speed: RevPerSecond = value("Idle speed of the crank", "rpm", "n_i", short=True)

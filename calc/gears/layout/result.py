@@ -2,11 +2,12 @@
 """What the layout of a train gives: where its wheels stand, which teeth meet, and the forces on the axes."""
 
 from ...sheet.quantity import group, result, value
+from ...sheet.shown import Shown
 from ...sheet.units import Metre, Newton, NewtonMetre, Number, Radian
 
 
 @result
-class WheelLayout:
+class WheelLayout(Shown):
     """One wheel in its place.  Positions from the crank's axis; None: it has no place, or nothing is near it."""
 
     position_up: Metre | None = value("Axis, up from the crank's", "mm", "p_up", default=None)
@@ -27,7 +28,7 @@ class WheelLayout:
 
 
 @result
-class MeshLayout:
+class MeshLayout(Shown):
     """One mesh in its place."""
 
     line_of_centres: Radian | None = value("Line of centres, driver to driven wheel", "°", "γ", default=None)
@@ -36,7 +37,7 @@ class MeshLayout:
 
 
 @result
-class ShaftLayout:
+class ShaftLayout(Shown):
     """How the wheel of one shaft can be assembled, and what a wrong tooth costs."""
 
     remesh_angle: Radian = value("Last wheel meshed one tooth further: its phase", "°", "τ")
@@ -62,7 +63,7 @@ class ShaftLayout:
 
 
 @result
-class LayoutResult:
+class LayoutResult(Shown):
     """The whole train.  `wheels`, `meshes` and `shafts` have the names of those of the train."""
 
     wheels: dict[str, WheelLayout] = group(spread=True)
@@ -73,7 +74,7 @@ class LayoutResult:
 
 
 @result
-class MeshForces:
+class MeshForces(Shown):
     """Forces between the teeth of one mesh, at the working circles."""
 
     working_tangential_force: Newton = value("Tangential force at the working circle", "N", "F_tw")
@@ -82,7 +83,7 @@ class MeshForces:
 
 
 @result
-class WheelForces:
+class WheelForces(Shown):
     """What a wheel's bearing carries.  _min and _max: over every included angle, where the wheels have no positions."""
 
     bearing_force: Newton | None = value("Load of its bearing, transverse", "N", "F_B", default=None)
@@ -105,7 +106,7 @@ class WheelForces:
 
 
 @result
-class ForcesResult:
+class ForcesResult(Shown):
     """The whole train."""
 
     wheels: dict[str, WheelForces] = group(spread=True)

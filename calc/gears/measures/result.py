@@ -3,6 +3,7 @@
 
 from ...sheet.quantity import Stated, group, result, value
 from ...sheet.record import record
+from ...sheet.shown import Shown
 from ...sheet.units import Metre, Number, Radian
 
 
@@ -17,7 +18,7 @@ class Seat:
 
 
 @result
-class Measured:
+class Measured(Shown):
     """The tooth that a measured size means."""
 
     generating_shift: Number = value("Generating shift", "", "x_E")
@@ -28,7 +29,7 @@ class Measured:
 
 
 @result
-class MeasuresResult:
+class MeasuresResult(Shown):
     """Values ending in _min and _max belong to the two ends of the allowance of the span.  Allowances are changes,
     thinner is negative."""
 

@@ -5,6 +5,7 @@ from typing import Any
 
 from ...sheet.quantity import Stated, group, result, value
 from ...sheet.record import record
+from ...sheet.shown import Shown
 from ...sheet.text import Text
 from ...sheet.units import (
     KilogramPerMetre,
@@ -45,7 +46,7 @@ class Deviations:
 
 
 @result
-class Influence:
+class Influence(Shown):
     """How much more than the nominal load the teeth of a mesh carry, and what that follows from."""
 
     line_load: NewtonPerMetre = value("Load per face width, F_t·K_A/b", "N/mm", "w")
@@ -115,7 +116,7 @@ class WheelStrength:
 
 
 @result
-class MeshStrength:
+class MeshStrength(Shown):
     """The strength of one mesh; a safety of None: no load."""
 
     safety_contact: Number | None = value(
@@ -137,7 +138,7 @@ class MeshStrength:
 
 
 @result
-class SheetResult:
+class SheetResult(Shown):
     """What the calculation sheet of Finotti 2013 gives for one mesh."""
 
     tool_addendum: Number = value("Source's sheet: addendum of the tool, in transverse modules", "", "H_0")
@@ -163,7 +164,7 @@ class SheetResult:
 
 
 @result
-class MeshRating:
+class MeshRating(Shown):
     """One mesh.  Torques are those of its driver; `contact_stress` and `root_stress` are nominal, without load factors
     (K = 1)."""
 
@@ -192,7 +193,7 @@ class MeshRating:
 
 
 @result
-class RatingResult:
+class RatingResult(Shown):
     """The rating of every mesh."""
 
     meshes: dict[str, MeshRating] = group(spread=True)

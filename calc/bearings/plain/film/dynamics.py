@@ -29,6 +29,7 @@ from ....sheet.formula import formula
 from ....sheet.functions import cos, modulus, pi, sin, sqrt
 from ....sheet.quantity import result, value
 from ....sheet.record import record
+from ....sheet.shown import Shown
 from ....sheet.text import Text
 from ....sheet.units import (
     Kilogram,
@@ -331,7 +332,7 @@ class Coefficients(Generic[Value]):
 
 
 @result
-class Dynamics(Generic[Value]):
+class Dynamics(Shown, Generic[Value]):
     """Stiffness and damping of the film as judged, and the mass of shaft it can hold.
 
     `critical_mass` None: no mass makes the shaft unstable.  `whirl_ratio` and `threshold_speed` are there for a load

@@ -11,6 +11,7 @@ from ....library.lubricant import Lubricant, OilState
 from ....sheet.arrays import Value
 from ....sheet.quantity import result, value
 from ....sheet.record import record, replace
+from ....sheet.shown import Shown
 from ....sheet.value import based_on
 from ...inputs import BearingsInputs
 from ...support import OperatingPoint as OperatingPoint
@@ -99,7 +100,7 @@ def resized(seat: BearingCase[Any], **sizes: Any) -> BearingCase[Any]:
 
 
 @result
-class Film(Generic[Value]):
+class Film(Shown, Generic[Value]):
     """The state of a film, and the temperature rise that its friction and its flow make.  `clearance`: at which it
     runs."""
 
@@ -108,7 +109,7 @@ class Film(Generic[Value]):
     specific_load: Value = value("Specific load", "MPa", "p")
     sommerfeld: Value = value("Sommerfeld number (S; ISO, Falz: So)", "", "S")
     eccentricity: Value = value("Eccentricity ratio", "", "ε")
-    film: Value = value("Smallest film", "µm", "h_0")
+    film: Value = value("Smallest film", "µm", "h_0", headline=1)
     friction_coefficient: Value = value("Coefficient of friction", "", "f")
     friction_variable: Value = value("Friction variable", "", "f*")
     friction_power: Value = value("Friction power", "W", "P_f")

@@ -3,6 +3,7 @@
 
 from ....sheet.quantity import group, result, value
 from ....sheet.record import record
+from ....sheet.shown import Shown
 from ....sheet.units import Celsius, Metre, NewtonMetre, Number, Pascal, PerKelvin
 from .rings import Rings
 
@@ -20,7 +21,7 @@ class Temperatures:
 
 
 @result
-class SeatResult:
+class SeatResult(Shown):
     """A bush or pair of shells in its housing, assembled at the reference temperature.  Pressures of the least
     interference, stresses of the most."""
 
@@ -48,7 +49,7 @@ class SeatResult:
 
 
 @result
-class PairResult:
+class PairResult(Shown):
     """One pair of classes."""
 
     min: Metre = value("Least clearance of the pair", "µm", "g_min")
@@ -56,7 +57,7 @@ class PairResult:
 
 
 @result
-class SelectResult:
+class SelectResult(Shown):
     """Shells that are picked by classes."""
 
     inserts: Number = value("Number of different shells", "", "n")
@@ -64,7 +65,7 @@ class SelectResult:
 
 
 @result
-class SplitResult:
+class SplitResult(Shown):
     """The film as the parting lines of the shells pass under the turning load."""
 
     share: Number = value("Share of the film that is left", "", "s_t")

@@ -13,6 +13,7 @@ from ....sheet.formula import formula
 from ....sheet.functions import cos, modulus, pi, sqrt
 from ....sheet.quantity import result, value
 from ....sheet.record import record
+from ....sheet.shown import Shown
 from ....sheet.text import Text
 from ....sheet.units import (
     Celsius,
@@ -152,7 +153,7 @@ def load_of(
 
 
 @result
-class Screening:
+class Screening(Shown):
     """Film and temperatures of one mesh at its load.  A screening, not a rating."""
 
     specific_film_min: Number | None = value(
