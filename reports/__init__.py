@@ -3,3 +3,12 @@
 verification.
 
 It is made from what the sheet of each step has (values, checks, curves, tables), and imports no step."""
+
+from typing import TYPE_CHECKING
+
+from calc.sheet.offered import offer
+
+if TYPE_CHECKING:
+    from .report import write_report as write_report
+
+offer(globals())

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from calc.design.disk import write_file
-from calc.design.toml_file import Document, design, parse
+from calc.design.toml_file import Document, design, parse, read
 from calc.locale import LANGUAGES, language
 from calc.locale.language import said
 from calc.sheet.progress import Progress, part, tell
@@ -74,6 +74,15 @@ def write(
     path = write_file(path, report, inputs=inputs_of(document, results))
     tell(progress, 1.0, path.name)
     return path
+
+
+def write_report(file: Path | str, path: Path | str, *, depth: str = "engineer", lang: str = "en") -> Path:
+    """Solve the design in a file and write its report as a PDF to `path`, as `contralbero report` does; gives its path.
+
+    `depth`: "summary" is the first page, "engineer" the calculation, "audit" every traced line.  `lang`: "en" or "it".
+    BadInput with all that is wrong in the file; ValueError for a depth or a language that there is not."""
+    document = read(file)
+    return write(document, solve(design(document)), document.raw, Path(path), depth=depth, lang=lang)
 
 
 def inputs_of(document: Document, results: Results) -> list[Path]:
