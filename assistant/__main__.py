@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero`, and `python -m assistant`: the command line, with Ctrl-C quiet from the first import to the last
+"""`python -m assistant`, which is `contralbero`: the command line, with Ctrl-C quiet from the first import to the last
 line."""
 
 import os
@@ -37,4 +37,6 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    from contralbero import main as checked  # that the other packages are its own, else it says what stands in the way
+
+    sys.exit(checked())

@@ -39,7 +39,7 @@ def test_the_source_distribution_holds_tests_and_fixtures(tmp_path):
     copy = tmp_path / "copy"
     for name in (*FOLDERS, ".ci"):
         shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__", "*.pyc"))
-    for path in ROOT.glob("[A-Zp]*"):
+    for path in ROOT.glob("[A-Zcp]*"):
         if path.is_file():
             shutil.copy(path, copy)
     wanted = {str(path.relative_to(copy)) for path in copy.rglob("*") if path.is_file()}
