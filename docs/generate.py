@@ -11,7 +11,9 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 ROOT = HERE.parent
-sys.path.insert(0, str(ROOT))
+sys.path[:0] = [str(ROOT), str(HERE)]
+
+from key_pages import key_pages  # noqa: E402
 
 from calc.design.model import STEPS  # noqa: E402
 from calc.sheet.check import LETTERS, RULES  # noqa: E402
@@ -65,11 +67,14 @@ nought is a share of. {letters}. Made by `python docs/generate.py`.
 """
 
 
-def checks() -> str:
-    """Every declared check, step by step."""
+def load_checks() -> None:
     for path in sorted((ROOT / "calc").rglob("*.py")):
         if "CheckRule(" in path.read_text(encoding="utf-8") and path.parent.name != "sheet":
             import_module(".".join(path.relative_to(ROOT).with_suffix("").parts))
+
+
+def checks() -> str:
+    """Every declared check, step by step; all are to be loaded."""
     letters = "; ".join(f"**{letter}** in an id stands for {words}" for letter, words in LETTERS.items())
     parts = [CHECKS.format(letters=letters)]
     for step in STEPS:
@@ -489,19 +494,25 @@ def everything() -> dict[str, str]:
         "No public measurement of strike speed or force\nof a balance-shaft train was found: forces of strikes are verified against "
         "our own finer model only\n([why balance shafts rattle](rattle.md)).\n\n"
     )
-    return pages() | {
-        "validation.md": validation
-        + "".join(f"    {line}\n" if line else "\n" for line in spoken("validate").splitlines()),
-        "checks.md": checks(),
-        "pair.md": pair(),
-        "plain_or_rolling.md": plain_or_rolling(),
-        "rattle.md": rattle(),
-        "errata.md": spoken("errata", "--markdown"),
-        "contralbero.schema.json": spoken("schema"),
-    }
+    load_checks()
+    return (
+        pages()
+        | key_pages()
+        | {
+            "validation.md": validation
+            + "".join(f"    {line}\n" if line else "\n" for line in spoken("validate").splitlines()),
+            "checks.md": checks(),
+            "pair.md": pair(),
+            "plain_or_rolling.md": plain_or_rolling(),
+            "rattle.md": rattle(),
+            "errata.md": spoken("errata", "--markdown"),
+            "contralbero.schema.json": spoken("schema"),
+        }
+    )
 
 
 if __name__ == "__main__":
-    (HERE / "theory").mkdir(exist_ok=True)
+    for folder in ("theory", "reference"):
+        (HERE / folder).mkdir(exist_ok=True)
     for name, page in everything().items():
         (HERE / name).write_text(page, encoding="utf-8")

@@ -3,6 +3,7 @@
 line runs."""
 
 import importlib.util
+import json
 import re
 import shlex
 import shutil
@@ -16,7 +17,7 @@ from tests.command import run
 from tests.conftest import ROOT
 
 DOCS = ROOT / "docs"
-PAGES = [ROOT / "README.md", ROOT / "README.it.md", *sorted(DOCS.glob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "README.it.md", *sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("reference/*.md"))]
 LINK = re.compile(r"\]\(([^)#: ]+)(?:#[^)]*)?\)")
 COMMAND = re.compile(r"^    (?:\$ )?(contralbero .*)$", re.MULTILINE)
 NEVER = ("serve",)  # stays; the session likewise, which is a line without a command
@@ -44,9 +45,10 @@ def test_what_is_generated_is_as_the_program_has_it(generated):
     assert len(generated) >= 10
     for name, text in generated.items():
         assert (DOCS / name).read_text(encoding="utf-8") == text, f"{name}: `python docs/generate.py` writes it anew"
-    assert {path.name for path in (DOCS / "theory").glob("*.md")} == {
-        name[7:] for name in generated if name.startswith("theory/")
-    }
+    for folder in ("theory", "reference"):
+        assert {f"{folder}/{path.name}" for path in (DOCS / folder).glob("*.md")} == {
+            name for name in generated if name.startswith(f"{folder}/")
+        }
 
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: path.name)
@@ -63,7 +65,6 @@ def test_the_readme_is_a_page():
 
 def test_the_site_builds_strictly(tmp_path):
     pytest.importorskip("mkdocs")
-    pytest.importorskip("material")
     done = subprocess.run(
         [sys.executable, "-m", "mkdocs", "build", "-q", "-d", str(tmp_path / "site")],
         cwd=ROOT,
@@ -72,6 +73,11 @@ def test_the_site_builds_strictly(tmp_path):
     )
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "site" / "theory" / "gears.html").is_file()
+    found = json.loads((tmp_path / "site" / "search" / "search_index.json").read_text(encoding="utf-8"))["docs"]
+    assert any("overdesign_percent" in entry["title"] and "in %" in entry["text"] for entry in found)
+    for page in (tmp_path / "site").rglob("*.html"):
+        asked = re.findall(r"<(?:script|link|img)[^>]+(?:src|href)=\"(https?:[^\"]+)", page.read_text(encoding="utf-8"))
+        assert asked == [], f"{page.name} asks other hosts"
 
 
 def _run(lines, folder):
