@@ -115,8 +115,8 @@ def bare() -> float:
 def report(name: str, seconds: list[float], unit: float) -> None:
     median, best, worst = (1000 * f(seconds) for f in (statistics.median, min, max))
     print(
-        f"{name:<62} median {median:6.0f} ms = {median / unit / 1000:6.2f} ×   best {best:6.0f}   worst "
-        f"{worst:6.0f}   n = {len(seconds)}"
+        f"{name:<60} median {median:5.0f} ms ={median / unit / 1000:6.2f} ×  best {best:5.0f}  worst {worst:5.0f}  "
+        f"n = {len(seconds)}"
     )
 
 

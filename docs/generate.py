@@ -116,7 +116,9 @@ it, two shafts at twice its speed do, one with the crank and one against it. The
 
 ## One that was built
 
-    contralbero check designs/r754ie4_balance_shafts.toml
+```sh
+contralbero check designs/r754ie4_balance_shafts.toml
+```
 
 The diesel R754IE4, with the crank train of its sister of three cylinders, leaves {whole:.0f} N of order 2 at 3000 rpm. Each of its shafts takes {force:.0f} N; {left:.0f} N
 stay. One shaft a tooth of 24 off, and {tooth:.0f} N stay.
@@ -125,14 +127,18 @@ Each shaft runs in three bearings. On rigid supports the middle one would carry 
 {outer:.0f} N, because a film that is loaded more gives way more. A middle bore that is wider gives still more of its load to its neighbours, {wide_middle:.0f} and {wide_outer:.0f} N,
 and fails: its own film is then {wide_film:.1f} µm of {wide_needs:.1f}:
 
-    contralbero check designs/r754ie4_balance_shafts.toml --set shafts.left.bearings.middle.clearance_um=90
+```sh
+contralbero check designs/r754ie4_balance_shafts.toml --set shafts.left.bearings.middle.clearance_um=90
+```
 
 Of the mirror image alone it is `shafts.right.bearings.middle.clearance_um=90`: its bearings are then solved, judged and reported by themselves.
 
 Only what the source prints of these shafts is known: journals, distances, masses. Crank train, oil, clearance, wheels and the place of the shafts are assumed, and the
 file says so. At 90 °C of oil every limit holds; with 120 °C, as in its sister of three cylinders, the film of the middle bearing is {hot:.1f} µm of {needs:.1f}.
 
-    contralbero check designs/r754ie4_balance_shafts.toml --set bearings.supply_temperature_C=120
+```sh
+contralbero check designs/r754ie4_balance_shafts.toml --set bearings.supply_temperature_C=120
+```
 
 Both shafts stand at one height, so they do not roll the engine; {roll:.0f} N·m of inertia roll stay as they were. Heights a rod's length apart would take most of
 it: the shaft that turns with the crank the higher one (`axis_mm` is [up, side] from the crank's axis; `speed_ratio` above 0). The other way
@@ -142,9 +148,13 @@ round the roll doubles.
 
 A diesel of bore 84, stroke 90 and rod 145 at 4500 rpm, from nothing to shafts, bearings, gears, friction and mounts:
 
-    contralbero new pair.toml --engine inline-4 --arrangement second --mounts --set engine.bore_mm=84 engine.crank_radius_mm=45 engine.rod_length_mm=145 engine.cylinder_pitch_mm=92 engine.piston_mass_g=620 engine.rod_mass_g=680 engine.rated_speed_rpm=4500
-    contralbero check pair.toml
-    contralbero report pair.toml
+```sh
+contralbero new pair.toml --engine inline-4 --arrangement second --mounts \\
+    --set engine.bore_mm=84 engine.crank_radius_mm=45 engine.rod_length_mm=145 engine.cylinder_pitch_mm=92 \\
+    engine.piston_mass_g=620 engine.rod_mass_g=680 engine.rated_speed_rpm=4500
+contralbero check pair.toml
+contralbero report pair.toml
+```
 
 It leaves {own_whole:.0f} N without shafts and {own_left:.0f} N with them. Every number that a rule has put there is marked `assumed`; change what you know better, and
 `check` says what no longer holds. What else an engine can be given: `--arrangement pair` (two at crank speed), `repeat` (two that turn alike), `pair_and_second`
@@ -228,7 +238,9 @@ at rated speed in hot oil, where two {ball_sizes} lose {ball_loss:.0f} W.
 
 ## The same shaft on ball bearings
 
-    contralbero check designs/r753ie4_rolling.toml --step bearings
+```sh
+contralbero check designs/r753ie4_rolling.toml --step bearings
+```
 
 It is `r753ie4_sized.toml` with other bearings: {size} at both ends, of which that beside the gear locates it, the rear one in a flange through which the shaft comes in.
 
@@ -242,9 +254,13 @@ It is `r753ie4_sized.toml` with other bearings: {size} at both ends, of which th
 
 What the program says of it, for each kind that passes:
 
+```text
 {table}
+```
 
+```text
 {risks}
+```
 
 ## What decides
 
@@ -300,7 +316,7 @@ def plain_or_rolling() -> str:
         return values[f"bearings.front.{what}"] + values[f"bearings.rear.{what}"]
 
     def printed(name: str) -> str:
-        return "\n".join(f"    {line}".rstrip() for line in table_lines(tables[name]))
+        return "\n".join(line.rstrip() for line in table_lines(tables[name]))
 
     return PLAIN_OR_ROLLING.format(
         heads=" | ".join(f"{n:.0f} rpm" for n in speeds),
@@ -330,7 +346,9 @@ The wheels of a balance shaft carry next to nothing: the friction of the shaft, 
 not turn evenly. So the flanks part, cross the backlash and strike, several times a cycle. At idle, where nothing else is loud, one hears it; at full load it is
 what the teeth have to bear. Made by `python docs/generate.py` from the train of the R753IE4 (γ), with gas and flywheel as is usual, not measured:
 
-    contralbero check designs/r753ie4_drive_over_speed.toml --step gears
+```sh
+contralbero check designs/r753ie4_drive_over_speed.toml --step gears
+```
 
 ## One cycle at idle
 

@@ -19,15 +19,24 @@ from tests.conftest import ROOT
 DOCS = ROOT / "docs"
 PAGES = [ROOT / "README.md", ROOT / "README.it.md", *sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("reference/*.md"))]
 LINK = re.compile(r"\]\(([^)#: ]+)(?:#[^)]*)?\)")
-COMMAND = re.compile(r"^    (?:\$ )?(contralbero .*)$", re.MULTILINE)
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+COMMAND = re.compile(r"^(?:\$ )?(contralbero\b.*)$", re.MULTILINE)
 NEVER = ("serve",)  # stays; the session likewise, which is a line without a command
+
+
+def blocks(path, *languages):
+    """The blocks of code of a page in some languages, in any where none is said."""
+    return [
+        code for name, code in FENCE.findall(path.read_text(encoding="utf-8")) if name in languages or not languages
+    ]
 
 
 def commands():
     """Every command line of a page, with the page; lines of a page follow from one another, since some write what
     others read."""
     for path in PAGES:
-        lines = [" ".join(line.split("   ")[0].split()) for line in COMMAND.findall(path.read_text(encoding="utf-8"))]
+        text = "".join(blocks(path, "sh", "console")).replace("\\\n", " ")
+        lines = [" ".join(line.split("   ")[0].split()) for line in COMMAND.findall(text)]
         lines = [line for line in lines if "FILE" not in line and "…" not in line]
         if lines:
             yield path.name, lines

@@ -13,10 +13,7 @@ from tests.conftest import ROOT, SHIPPED
 from tests.test_imports import loaded
 
 SECTION = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
-BLOCKS = [
-    re.sub("^    ", "", block, flags=re.MULTILINE)
-    for block in re.findall(r"(?:^    .*\n|^\n(?=    ))+", SECTION, flags=re.MULTILINE)
-]
+BLOCKS = re.findall(r"^```python\n(.*?)^```$", SECTION, flags=re.MULTILINE | re.DOTALL)
 ROWS = re.findall(r"^\| `(.+?)` \| .+? \| (\S*).*\|$", SECTION, flags=re.MULTILINE)
 STEPS = ("engine", "imbalance", "countershaft", "bearings", "gears", "friction")
 PACKAGES = ("calc", *(f"calc.{name}" for name in (*STEPS, "mounting", "library")), "reports")
