@@ -120,6 +120,8 @@ it, two shafts at twice its speed do, one with the crank and one against it. The
 contralbero check designs/r754ie4_balance_shafts.toml
 ```
 
+![The force of second order over speed, without the shafts and with them](pictures/pair_force.png)
+
 The diesel R754IE4, with the crank train of its sister of three cylinders, leaves {whole:.0f} N of order 2 at 3000 rpm. Each of its shafts takes {force:.0f} N; {left:.0f} N
 stay. One shaft a tooth of 24 off, and {tooth:.0f} N stay.
 
@@ -235,6 +237,8 @@ place, in W:
 
 Of the ratio most belongs to the journals' size, not to their kind: the best plain pair of a shaft that is **not** threaded through has {plain_sizes} mm and loses {plain_loss:.0f} W
 at rated speed in hot oil, where two {ball_sizes} lose {ball_loss:.0f} W.
+
+![The loss of the sized shaft on plain and on rolling bearings over speed, cold, warm and hot](pictures/loss.png)
 
 ## The same shaft on ball bearings
 
@@ -362,9 +366,13 @@ mesh of γ then
 3. strikes the coast flank, with up to {u:.0f} mm/s, and stays there until the crank gains;
 4. comes back to the driving flank: {impacts:.0f} strikes a cycle on {flanks:.0f} flanks.
 
+![The way of the shaft's wheel between its flanks over two turns of the crank at idle](pictures/strikes_cycle.png)
+
 While it strikes, a tooth carries some {low:.1f} to {high:.1f} kN; while it drives, at rated speed, {mean:.0f} N. That is where the strength of such a train is decided, not by its mean torque.
 The hardest point of the whole range is {hard_n:.0f} rpm at full load, {hard_u:.0f} mm/s and some {hard_low:.1f} to {hard_high:.1f} kN: safety against pitting {S_H_low:.2f} with the low force and
 {S_H:.2f} with the high one, against breakage {S_F_low:.2f}.
+
+![The hardest strike over speed: without load, at half load and at full load](pictures/strikes_speed.png)
 
 ## Grade
 

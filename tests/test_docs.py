@@ -20,7 +20,6 @@ DOCS = ROOT / "docs"
 PAGES = [ROOT / "README.md", ROOT / "README.it.md", *sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("reference/*.md"))]
 LINK = re.compile(r"\]\(([^)#: ]+)(?:#[^)]*)?\)")
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-COMMAND = re.compile(r"^(?:\$ )?(contralbero\b.*)$", re.MULTILINE)
 NEVER = ("serve",)  # stays; the session likewise, which is a line without a command
 
 
@@ -32,12 +31,18 @@ def blocks(path, *languages):
 
 
 def commands():
-    """Every command line of a page, with the page; lines of a page follow from one another, since some write what
-    others read."""
+    """Every command line of a page, with the page, and with the lines of output that the page shows of it; lines of a
+    page follow from one another, since some write what others read."""
     for path in PAGES:
-        text = "".join(blocks(path, "sh", "console")).replace("\\\n", " ")
-        lines = [" ".join(line.split("   ")[0].split()) for line in COMMAND.findall(text)]
-        lines = [line for line in lines if "FILE" not in line and "…" not in line]
+        lines = []
+        for code in blocks(path, "sh", "console"):
+            prompt = code.startswith("$ ")
+            for line in re.sub(r"\\\n\s*", " ", code).splitlines():
+                if line.startswith("$ ") or not prompt:
+                    lines.append((" ".join(line.removeprefix("$ ").split("   ")[0].split()), []))
+                else:
+                    lines[-1][1].append(line)
+        lines = [(line, shown) for line, shown in lines if "FILE" not in line and "…" not in line]
         if lines:
             yield path.name, lines
 
@@ -90,24 +95,38 @@ def test_the_site_builds_strictly(tmp_path):
 
 
 def _run(lines, folder):
-    """In a folder with the shipped designs; a limit that fails is no mistake of the page."""
+    """In a folder with the shipped designs; a limit that fails is no mistake of the page.  What a page shows of the
+    output stands there line by line, in that order; … is what it leaves out."""
     shutil.copytree(ROOT / "designs", folder / "designs")
     shutil.copy(ROOT / "designs" / "r753ie4_gamma.toml", folder / "gamma.toml")
-    for line in lines:
-        arguments = shlex.split(line)[1:]
+    for line, shown in lines:
+        program, *arguments = shlex.split(line, comments=True) or [""]
+        if program == "cp":
+            shutil.copy(folder / arguments[0], folder / arguments[1])
+        if program != "contralbero":
+            continue
         if not arguments or arguments[0].startswith("-") or arguments[0] in NEVER:
             continue
         done = run(*arguments, cwd=folder)
         assert done.returncode in (0, 1, 3), f"{line}: {done.stderr}"
+        printed = iter(done.stdout.splitlines() + done.stderr.splitlines())
+        for part in (part.rstrip() for part in shown if part.strip() != "…"):
+            begins = part.endswith(" …")
+            wanted = part.removesuffix(" …")
+            assert any(said.rstrip() == wanted or (begins and said.startswith(wanted)) for said in printed), (
+                f"{line} does not print, or not there: {part}"
+            )
 
 
 @pytest.mark.parametrize("page, lines", list(commands()), ids=lambda x: x if isinstance(x, str) else "")
 def test_every_command_line_is_understood(page, lines):
     """Its command and its options are those of today; nothing is run."""
-    for line in lines:
-        first, *rest = [*shlex.split(line)[1:], ""]
+    for line, _ in lines:
+        program, first, *rest = [*shlex.split(line, comments=True), "", ""]
+        if program != "contralbero":
+            continue
         if first in COMMANDS:
-            assert parser(first).parse_known_args([first, *rest[:-1]])[1] == [], line
+            assert parser(first).parse_known_args([first, *filter(None, rest)])[1] == [], line
         else:
             assert first.startswith("-") or first.endswith(".toml") or not first, line
 

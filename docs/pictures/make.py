@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pictures of the documents, from the program itself: `python docs/pictures/make.py`.
 
-The session as it stands on a terminal (SVG), and the first page of a report (PNG; needs pypdfium2, of the extra
-`docx`)."""
+The session as it stands on a terminal (SVG), the first page of a report (PNG; needs pypdfium2, of the extra `docx`),
+and the plots of the tutorials (PNG), each a curve of a solved design as the report draws it."""
 
 import asyncio
 import subprocess
@@ -13,6 +13,17 @@ from pathlib import Path
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(ROOT))
+
+# the plots: name of the picture, design, id of the curve
+PLOTS = (
+    ("gamma_film", "r753ie4_gamma.toml", "film_front"),
+    ("pair_force", "r754ie4_balance_shafts.toml", "residual_force_over_speed"),
+    ("loss", "r753ie4_rolling.toml", "plain_and_rolling_loss"),
+    ("strikes_cycle", "r753ie4_drive_over_speed.toml", "cycle_way_idle"),
+    ("strikes_speed", "r753ie4_drive_over_speed.toml", "strikes_over_speed"),
+    ("shells", "twin-180", "press_over_temperature_front"),  # a starter
+)
+WIDTH, HEIGHT = 490.0, 240.0  # points
 
 
 async def session() -> str:
@@ -46,6 +57,26 @@ def page(target: Path) -> None:
         pypdfium2.PdfDocument(report)[0].render(scale=1.2, grayscale=True).to_pil().save(target, optimize=True)
 
 
+def plots() -> dict[str, bytes]:
+    """Each plot as a file of pixels, by the name of its picture."""
+    from calc.design.toml_file import design, load_design, parse
+    from calc.locale import Language
+    from calc.solve import solve
+    from calc.studies.shipped import DESIGNS, engine_design
+    from reports.figures.pixels import png
+
+    drawn = {}
+    for name, origin, curve_id in PLOTS:
+        path = DESIGNS / origin
+        given = load_design(path) if path.is_file() else design(parse(engine_design(origin).encode("utf-8"), origin))
+        outcomes = solve(given).outcomes.values()
+        curve = next(curve for outcome in outcomes for curve in outcome.curves if curve.id == curve_id)
+        drawn[name] = png(curve, WIDTH, HEIGHT, Language("en"))
+    return drawn
+
+
 if __name__ == "__main__":
     (HERE / "session.svg").write_text(asyncio.run(session()), encoding="utf-8")
     page(HERE / "report.png")
+    for name, picture in plots().items():
+        (HERE / f"{name}.png").write_bytes(picture)
