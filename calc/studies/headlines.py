@@ -314,7 +314,7 @@ def drive_row(results: Results) -> tuple[Text, Text] | None:
     drive = results.train.drive if results.train is not None else None
     if drive is None or not drive.meshes:
         return None
-    title, ops = Text("Drive at idle / hardest"), [op for op in (IDLE, HARDEST) if op in drive.at]
+    title, ops = Text("Drive at idle / largest force"), [op for op in (IDLE, HARDEST) if op in drive.at]
     at = [worst(drive, op) for op in ops]
     if not any(of.u for of in at):
         return title, Text("The flanks stay closed at every speed and load.")

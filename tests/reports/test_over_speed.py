@@ -14,7 +14,7 @@ def test_the_first_page_names_the_load_that_governs_the_teeth() -> None:
         "0.94 to 1.08",
         "Safety against tooth breakage under strikes, high to low force",
         "1.10 to 1.49",
-        "Drive at idle / hardest",
+        "Drive at idle / largest force",
         "grade B; strikes of 58 / 92 mm/s",
         "force some 1.8 to 3.0 kN / 3.0 to 4.9 kN",
     ):

@@ -3,13 +3,17 @@
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from ...sheet.text import COMMA, Amount, Text
 from ..inputs import GearsInputs
 from ..result import TrainResult
 from . import orders
-from .result import IDLE, DriveResult
+from .curves import load_words
+from .result import HARDEST, IDLE, DriveResult
 
 MOVED = 0.005  # share of a torque by which it is said to have moved
+PEAK_SEEN = 0.02  # share of the force by which a strike between the judged speeds is said to be harder
 REFLECTED = 0.3  # of the inertia on the crank: a train with more of it acts back
 ACCURACY = Text(
     "Forces of strikes are some low to some high, never one number: held against a chain of elastic teeth, 240 random "
@@ -21,6 +25,7 @@ ACCURACY = Text(
 def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterator[Text]:
     source, work = drive.drive.source, drive.drive.work
     yield ACCURACY
+    yield from _between_judged(drive)
     if drive.assumed:
         yield Text(
             "How the crank turns is not known: {taken}. Give [engine.gas] and engine.flywheel_inertia_kgm2.",
@@ -77,6 +82,30 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
     yield Text(
         "Strikes are without rebound, at steady speed, of rigid bodies; oil squeezed between flanks would take speed "
         "off light wheels."
+    )
+
+
+def _between_judged(drive: DriveResult) -> Iterator[Text]:
+    """How much harder the strikes are at a speed of the map than at those that are judged; S_H falls with the root of
+    the force, S_F with the force."""
+    judged = float(drive.survey.impacts.high[drive.at[HARDEST]].max(initial=0.0))
+    map_ = drive.drive.drawn()
+    forces = map_.impacts.high.max(axis=1, initial=0.0)
+    p = int(np.argmax(forces))
+    if not judged or (more := float(forces[p]) / judged) < 1 + PEAK_SEEN:
+        return
+    yield Text(
+        "The teeth are judged under the strikes of {count} speeds from idle to rated speed; between these some are "
+        "harder: {u} and {F} by the high estimate at {n}, {load}. That is {more} more force, and a safety under "
+        "strikes up to {contact} lower against pitting, up to {bending} against tooth breakage.",
+        count=drive.survey.each_speed.size,
+        u=Amount(float(map_.impacts.speed[p].max()) * 1e3, "mm/s", form=".0f"),
+        F=Amount(float(forces[p]), "N", form=".0f"),
+        n=Amount(float(map_.speeds[p]) * 60, "rpm", form=".0f"),
+        load=load_words(drive.drive.source, float(map_.loads[p])),
+        more=Amount(100 * (more - 1), "%", form=".0f"),
+        contact=Amount(100 * (1 - more**-0.5), "%", form=".0f"),
+        bending=Amount(100 * (1 - 1 / more), "%", form=".0f"),
     )
 
 

@@ -156,8 +156,8 @@ class DriveResult(Shown):
         "Inertia on the crank: flywheel and train", "kg·m²", "J_E", default=None
     )
     operations: dict[str, MotionAt] = group(spread=True, key_words=OPERATIONS)
-    hardest_speed: RevPerSecond = value("Speed at which the flanks strike hardest", "rpm", "n_u", short=True)
-    hardest_load: Number = value("Load at which the flanks strike hardest", "%", "p_u")
+    hardest_speed: RevPerSecond = value("Speed of the largest strike force, of those judged", "rpm", "n_u", short=True)
+    hardest_load: Number = value("Load of the largest strike force, of those judged", "%", "p_u")
     impact_power: Watt = value("Power lost by strikes, about, at most", "W", "ΣW_u", short=True)
     impact_speed: MetrePerSecond | None = value(
         "Hardest strike of the drive at idle, no load",

@@ -28,8 +28,8 @@ def tables(train: TrainResult, drive: DriveResult) -> Iterator[Table]:
 
 
 def over_speed_table(train: TrainResult, drive: DriveResult) -> Table:
-    """Every mesh at idle and where the train strikes hardest.  The safeties, by the high and by the low force, are the
-    least of both points."""
+    """Every mesh at idle and where a strike has the largest force.  The safeties, by the high and by the low force,
+    are the least of both points."""
     rows = []
     for key, mesh in train.meshes.items():
         if (over := mesh.over_speed) is None:
@@ -38,7 +38,7 @@ def over_speed_table(train: TrainResult, drive: DriveResult) -> Table:
             at = over.operations[op]
             grade = grade_letter(grade_of(at.impact_speed))
             idle = Text("{pair}, idle: {grade}", pair=mesh.title, grade=grade)
-            where = idle if op == IDLE else Text("{pair}, hardest", pair=mesh.title)
+            where = idle if op == IDLE else Text("{pair}, largest force", pair=mesh.title)
             safeties = _safeties(train, key, over) if op == HARDEST else (None, None)
             u, force = at.impact_speed * MM_S, _force(at)
             rows.append((where, u, force, at.impact_power, at.separation, *safeties))
@@ -51,12 +51,15 @@ def over_speed_table(train: TrainResult, drive: DriveResult) -> Table:
         (Text("S_H"), ""),
         (Text("S_F"), ""),
     )
-    hardest = point_words(drive, HARDEST)
-    title = Text("Strikes of the flanks where they are hardest ({hardest})", hardest=hardest)
+    hardest, n = point_words(drive, HARDEST), drive.survey.each_speed.size
+    title = Text(
+        "Strikes of the flanks at the largest force of the {n} speeds judged ({hardest})", n=n, hardest=hardest
+    )
     if IDLE in drive.at:
         title = Text(
-            "Strikes of the flanks at idle ({idle}) and where they are hardest ({hardest})",
+            "Strikes of the flanks at idle ({idle}) and at the largest force of the {n} speeds judged ({hardest})",
             idle=point_words(drive, IDLE),
+            n=n,
             hardest=hardest,
         )
     return Table("drive_over_speed", title, columns, tuple(rows), ACCURACY, short=True)
