@@ -843,3 +843,15 @@ def test_the_strength_of_a_casting_under_its_bolts_is_not_given():
 )
 def test_states_of_shipped_designs(name, state):
     assert str(outcome(name).words()) == state
+
+
+@pytest.mark.parametrize(
+    "kind, room, verdict", [("plain", 1.4, "fail"), ("rolling", 0.0, "pass"), ("rolling", -0.1, "fail")]
+)
+def test_a_ring_may_stand_against_given_sections_and_a_journal_needs_its_fillet(kind, room, verdict):
+    seats = ((59 * mm, 40 * mm - 2 * room * mm), (65 * mm, 26 * mm))
+    bearings = tuple(replace(row, kind=kind) for row in bearing_rows((-0.17, 0.17), seats))
+    shaft = replace(ASKED.countershaft, bearings=bearings, fillet_radius=1.5 * mm)
+    given = replace(SOLVED, outline=SimpleNamespace(pieces=OPPOSED, derived=False))
+    (check,) = of_shaft._between_check(shaft, given, seats)
+    assert (check.verdict, check.value) == (verdict, pytest.approx(room)) and "front" in check.name
