@@ -9,7 +9,7 @@ from .bending.shaft import Bending
 from .inputs import ShaftInputs
 from .outline import Journals
 
-SLOPES_GIVEN = Text("The slopes of the journals are those given with them (slope_mrad), not computed.")
+SLOPES_GIVEN = Text("The slopes of the journals are those given with them, not computed.")
 
 
 def notes(shaft: ShaftInputs, journals: Journals, force: bool) -> Iterator[Text]:
@@ -28,16 +28,16 @@ def notes(shaft: ShaftInputs, journals: Journals, force: bool) -> Iterator[Text]
     )
     if shaft.mode == "given" and shaft.radial_clearance is None and journals:
         yield Text(
-            "Whether the shaft can be threaded through its seats is not judged: give radial_clearance_mm where it has "
-            "to be."
+            "Whether the shaft can be threaded through its seats is not judged: give the clearance for threading "
+            "in where it has to be."
         )
 
 
 def size_notes(shaft: ShaftInputs) -> Iterator[Text]:
     """What of the design a sized shaft does not use."""
-    for word, given in (("masses", shaft.masses), ("sections", shaft.sections)):
+    for word, given in ((Text("masses"), shaft.masses), (Text("sections"), shaft.sections)):
         if given:
-            yield Text("Mode size: [[shafts.{word}]] are left aside; the sectors are found.", word=word)
+            yield Text("Mode size: the {word} that are given are left aside; the sectors are found.", word=word)
 
 
 def outline_note(sized: bool, gear: bool) -> Text:
@@ -47,7 +47,7 @@ def outline_note(sized: bool, gear: bool) -> Text:
         return Text("The outline is put together from the sectors, the core, the journals{text}.", text=text)
     return Text(
         "The outline is put together: each eccentric mass as a sector of its mass, centre of gravity and place, "
-        "the core, the journals{text}; the true shape may be given as [[shafts.sections]].",
+        "the core, the journals{text}; the true shape may be given as sections.",
         text=text,
     )
 

@@ -173,7 +173,7 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
         in_turn = ", ".join(map(str, bank.tolist()))
         chosen.append(
             Text(
-                "Banks {banks} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.",
+                "Banks {banks} taken for cylinders 1 to {n}, in turn, since the bank of each cylinder is not given.",
                 banks=in_turn,
                 n=n,
             )
@@ -233,7 +233,7 @@ def firing(engine: EngineInputs, throws: Crank) -> Firing:
         if others:
             note = Text(
                 "The firing order is chosen: one of {count} equally even ways in which this crank can fire; give "
-                "firing_order for another.",
+                "a firing order for another.",
                 count=len(others) + 1,
             )
             chosen = replace(chosen, chosen=note)

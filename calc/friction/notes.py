@@ -106,7 +106,8 @@ def _of_jumps(result: FrictionResult) -> Iterator[Text]:
 def _of_load_sharing(friction: FrictionInputs, result: FrictionResult) -> Iterator[Text]:
     if friction.load_sharing != "linear" and not all(mesh.case.mesh.spur for mesh in result.meshes.values()):
         yield Text(
-            "The load of a helical mesh is uniform along its contact lines: load_sharing counts for spur pairs only."
+            "The load of a helical mesh is uniform along its contact lines: the sharing of the load counts for "
+            "spur pairs only."
         )
     if friction.load_sharing == "smooth" or any(scenario.load_sharing == "smooth" for scenario in friction.scenarios):
         yield Text(
@@ -165,7 +166,7 @@ def _of_turning_masses(friction: FrictionInputs, result: FrictionResult) -> Iter
         )
     elif friction.mass_loss == "none":
         if result.journals:
-            yield Text('What the turning masses lose in the mist is not counted ([friction] mass_loss = "bracket").')
+            yield Text("What the turning masses lose in the mist is not counted, unless their loss is asked for.")
     else:
         yield Text(
             "What the turning masses lose is not counted: {why}.",
@@ -178,14 +179,11 @@ def _of_turning_masses(friction: FrictionInputs, result: FrictionResult) -> Iter
 def _not_counted(friction: FrictionInputs) -> Iterator[Text]:
     """Losses of which the design says nothing."""
     if not friction.seals:
-        yield Text("No shaft seals are counted, unless given ([[friction.seals]]).")
+        yield Text("No shaft seals are counted, unless given.")
     if not friction.dips:
-        yield Text("No wheel dips into oil: churning is not counted ([[friction.dips]]).")
+        yield Text("No wheel dips into oil: churning is not counted.")
     if not has_bearings(friction):
-        yield Text(
-            "The wheels' own bearings are not counted, unless given ([[friction.rolling_bearings]], "
-            "[[friction.plain_bearings]])."
-        )
+        yield Text("The wheels' own bearings are not counted, unless given.")
 
 
 def _of_rolling_bearings(friction: FrictionInputs) -> Iterator[Text]:

@@ -17,8 +17,8 @@ def notes(gears: GearsInputs, train: Train, result: TrainResult) -> Iterator[Tex
     yield from train.notes
     yield from _not_given(result)
     yield Text(
-        "backlash_min and backlash_max hold at 20 °C without runout; cold, warm and with runout have values of their "
-        "own."
+        "The smallest and the largest backlash hold at 20 °C without runout; cold, warm and with runout have "
+        "values of their own."
     )
     if gears.ball_diameter is None:
         yield Text(

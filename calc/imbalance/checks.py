@@ -109,7 +109,7 @@ CRANK_FORCE = CheckRule(
     sense="<=",
     unit="N",
     source=OWN,
-    advice=Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing."),
+    advice=Text("Other bobs, or other webs: the list of bodies shows where mass is missing."),
     moved_by=(dotted("imbalance", ImbalanceInputs.bob_mass),),
 )
 CRANK_COUPLE = CheckRule(
@@ -119,7 +119,7 @@ CRANK_COUPLE = CheckRule(
     sense="<=",
     unit="N·m",
     source=OWN,
-    advice=Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing."),
+    advice=Text("Other bobs, or other webs: the list of bodies shows where mass is missing."),
     cause=CRANK_FORCE.id,
     moved_by=(dotted("imbalance", ImbalanceInputs.bob_mass),),
 )
@@ -130,7 +130,10 @@ CRANK_RESIDUAL = CheckRule(
     sense="<=",
     unit="kg·mm",
     source=Text("ISO 21940-11, permissible residual unbalance, of the mass that is listed"),
-    advice=Text("The balancing machine has it drilled out: give drill_radius_mm, and the webs to drill are found."),
+    advice=Text(
+        "The balancing machine has it drilled out: give the radius of the balancing holes, and the webs to drill are "
+        "found."
+    ),
     cause=CRANK_FORCE.id,
     limit_id=dotted("imbalance", WebsResult.permitted_unbalance),
     moved_by=(
@@ -158,7 +161,7 @@ THROWS = CheckRule(
     "<=",
     "°",
     Text("rule of this program: within 2°"),
-    Text("Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the pins."),
+    Text("Look at the throw that stands at TDC, and at x (up) and y (in the sense of rotation) of the pins."),
     value_id=dotted("imbalance", WebsResult.pin_deviation),
     moved_by=(dotted("imbalance", ImbalanceInputs.crank_bodies_throw_at_tdc),),
 )
@@ -213,7 +216,7 @@ def checks(
             "One shaft at −ω takes it: {required_couple} N·m at {phase}",
             required_couple=Amount(result.required_couple),
             phase=Amount(round(degrees(result.required_couple_phase), 3), "°"),
-        ) + Text("; add [[shafts]].")
+        ) + Text("; add a shaft.")
         yield BACKWARD_COUPLE(first.couple_backward, couple, advice=counter)
         yield BACKWARD_FORCE(first.force_backward, force)
     if 1 not in taken:

@@ -251,9 +251,7 @@ def _of_gas(engine: EngineInputs, result: MountingResult) -> Iterator[Text]:
     """At which speeds it is known."""
     nodes = result.drive.nodes
     if nodes is None:
-        yield Text(
-            "Without [engine.gas] only the masses drive the engine: the strongest excitation at idle is missing."
-        )
+        yield Text("Without the gas only the masses drive the engine: the strongest excitation at idle is missing.")
         return
     outside = [Name(name) for name, (speed, _) in result.speeds.items() if nodes.outside(speed)]
     if outside:
@@ -269,12 +267,12 @@ def _of_shaft(mounting: MountingInputs, shaft: ShaftOnEngine) -> Iterator[Text]:
     """Where its force acts, and how it scatters."""
     if shaft.axis is None and abs(shaft.force) > 0:
         yield Text(
-            "No axis_mm of the counter-shaft is given: its force is taken to act at the crank, and rolls nothing."
+            "The axis of the counter-shaft is not given: its force is taken to act at the crank, and rolls nothing."
         )
     if shaft.errors is None:
-        yield Text("How the shaft scatters is not known: give late_deg and scatter_couple_percent.")
+        yield Text("How the shaft scatters is not known: give by how much it is late and the error of its couple.")
     elif mounting.late is None and mounting.scatter_couple is None:
-        yield Text("The shaft as it scatters: 95 % of its errors by [shafts.scatter] and the free turn of the train.")
+        yield Text("The shaft as it scatters: 95 % of its errors, as given, and the free turn of the train.")
 
 
 def _of_mounts(mounting: MountingInputs) -> Iterator[Text]:

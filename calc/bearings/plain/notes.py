@@ -182,9 +182,7 @@ def _load(inputs: BearingsInputs) -> Text:
 
 def _slope(results: Mapping[str, PlainResult], shaft: CountershaftResult | None) -> Text:
     if any(r.seat.bearing.slope is not None for r in results.values()):
-        return Text(
-            "The slope of the journals is the one given here (slope_mrad), not that of the counter-shaft's bending."
-        )
+        return Text("The slope of the journals is the one given here, not that of the counter-shaft's bending.")
     if shaft is not None and shaft.slopes:
         return Text(
             "The slope of the journals is that of the counter-shaft's bending, with the stiffness share of its sectors."

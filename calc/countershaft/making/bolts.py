@@ -758,8 +758,8 @@ def notes(bolts: Bolts, joint: BoltsResult, shafts: Sequence[SystemShaft] = ()) 
     yield from face_notes(joint)
     if bolts.row_span is None:
         yield Text(
-            "Bolts: their rows are taken to stand as far apart as the outer bearings; give row_span_mm where they do "
-            "not."
+            "Bolts: their rows are taken to stand as far apart as the outer bearings; give the distance of the "
+            "bolt rows along the shaft where they do not."
         )
     if bolts.count % 2:
         yield Text(
@@ -775,6 +775,7 @@ def face_notes(joint: BoltsResult) -> Iterator[Text]:
     """What was taken for the face under the head, where no check of the pressure says it."""
     if joint.face.least is not None and _strength(joint.support) is None:
         yield Text(
-            "Bolts: the face under the head is assumed: {words}. Give head_diameter_mm, of flange or washer.",
+            "Bolts: the face under the head is assumed: {words}. Give the bearing diameter of the head, of "
+            "flange or washer.",
             words=joint.face.words,
         )

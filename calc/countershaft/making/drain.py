@@ -358,7 +358,7 @@ def notes(choice: DrainResult) -> Iterator[Text]:
     if choice.reason:
         yield Text("Oil drain: no clamp is taken: {reason}.", reason=choice.reason)
     if choice.drain.slope is not None and choice.drain.bore is None:
-        yield Text("Oil drain: what runs off is not computed: give bore_mm, the narrowest bore of the passage.")
+        yield Text("Oil drain: what runs off is not computed: give the narrowest bore of the passage.")
     for row in house_table("unions.toml")["seal"]:
         if choice.unions and thread(row["thread"]) == thread(choice.drain.thread):
             parts, source = Text(row["parts"]), Text(row["source"])

@@ -210,7 +210,7 @@ def _holes(
         return None
     if R is None:
         step.notes.append(
-            Text("Calibration holes are not computed: give outer_radius_mm, from which they are drilled.")
+            Text("Calibration holes are not computed: give the outer radius, from which they are drilled.")
         )
         return None
     z = column(masses, "z")
@@ -224,7 +224,7 @@ def _holes(
         step.notes.append(shared)
     if core_radius is None:
         step.notes.append(
-            Text("Calibration holes: whether they end in the sectors is not judged: give core_radius_mm.")
+            Text("Calibration holes: whether they end in the sectors is not judged: give the core radius.")
         )
     sectors = [p for p in result.outline.pieces if p.half_angle is not None] if result.outline is not None else []
     if not (sectors and masses):

@@ -159,8 +159,8 @@ ASSUMED = CheckRule(
     "<=",
     source=Text("rule of this program: an irregularity by the number of cylinders, of one order and no load"),
     advice=Text(
-        "Give [engine.gas] (peak pressure, compression ratio) and engine.flywheel_inertia_kgm2; or rows of "
-        "[[gears.drive.irregularity]] as measured."
+        "Give the gas (peak pressure, compression ratio) and the inertia of the flywheel; or the irregularity as "
+        "measured."
     ),
     zero="1, no number",
     value_id=dotted("gears", "drive", DriveResult.assumed),

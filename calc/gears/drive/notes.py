@@ -28,7 +28,7 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
     yield from _between_judged(drive)
     if drive.assumed:
         yield Text(
-            "How the crank turns is not known: {taken}. Give [engine.gas] and engine.flywheel_inertia_kgm2.",
+            "How the crank turns is not known: {taken}. Give the gas and the inertia of the flywheel.",
             taken=drive.drive.taken,
         )
     elif higher := list(_higher(train, drive)):
@@ -42,8 +42,8 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
         yield Text("No drag is known: the flanks are held by nothing, and the ratio of inertia to drag has no value.")
     elif gears.power is not None and work.shafts:
         yield Text(
-            "gears.power_kW holds no flanks together here, since what takes it is not known: a pump belongs into "
-            "[[shafts.loads]], of its shaft."
+            "The power of the train holds no flanks together here, since what takes it is not known: a pump belongs "
+            "to the loads of its shaft."
         )
     if source.J_E is not None:
         yield Text(
@@ -58,12 +58,12 @@ def notes(gears: GearsInputs, train: TrainResult, drive: DriveResult) -> Iterato
         if source.nose and work.engine.crank_twist is None:
             yield Text(
                 "The train is driven from the nose of the crank, which is taken as rigid: torsional vibration would "
-                "add; give [engine.crank_twist]."
+                "add; give the twist of the crank."
             )
     if IDLE not in drive.at:
         yield Text(
             "Idle without load is not known, so that nothing is graded, and no scissor gear judged: give an "
-            "[[engine.operation]] row of load 0."
+            "operation of the engine without load."
         )
     influences = {
         key: K

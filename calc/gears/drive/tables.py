@@ -4,8 +4,7 @@ hardest, and how good those forces are."""
 
 from collections.abc import Iterator
 
-from ...engine.inputs import EngineInputs
-from ...sheet.quantity import ValueKey, dotted
+from ...sheet.quantity import ValueKey
 from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.text import EMPTY, Amount, Name, Text, listed
@@ -166,9 +165,7 @@ def sentence(train: TrainResult, *, brief: bool = False) -> Text | None:
     if drive.jams:
         return Text("Rattle at idle: not graded, {pairs} jam at mid-tolerance.", pairs=listed(map(Name, drive.jams)))
     if IDLE not in drive.at or drive.grade is None or drive.impact_speed is None:
-        return Text(
-            "Rattle at idle: not known without brake load; give an [[engine.operation]] row with load_percent = 0."
-        )
+        return Text("Rattle at idle: not known without brake load; give an operation of the engine without load.")
     A, B = (Amount(u * MM_S, form=".0f") for u in grade_limits())
     idle = [mesh.operations[IDLE] for mesh in drive.meshes.values()]
     hardest = max(idle, key=lambda at: at.impact_speed)
@@ -192,10 +189,9 @@ def sentence(train: TrainResult, *, brief: bool = False) -> Text | None:
     if not drive.assumed or brief:
         return words
     return Text(
-        "{words} This rests on {taken}, a default that knows no load: give [engine.gas] and {flywheel}.",
+        "{words} This rests on {taken}, a default that knows no load: give the gas and the inertia of the flywheel.",
         words=words,
         taken=drive.drive.taken,
-        flywheel=dotted("engine", EngineInputs.flywheel_inertia),
     )
 
 

@@ -142,9 +142,9 @@ def _marks(teeth: Phase, period: float) -> Table:
         ),
         rows,
         Text(
-            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the "
-            "wheel on a shaft the one nearest the eccentric, of the others the one nearest to up. The marks of all "
-            "wheels meet again after {period} turns.",
+            "Teeth are counted in the sense of crank rotation from tooth 1: that at the angle given for the first "
+            "driver, of the wheel on a shaft the one nearest the eccentric, of the others the one nearest to up. The "
+            "marks of all wheels meet again after {period} turns.",
             period=Amount(period, form="g"),
         ),
     )
@@ -228,7 +228,7 @@ def notes(
             yield Text(
                 "Seen so that the crank turns clockwise, cylinder 1 at TDC: the nearest tooth of {last} stands "
                 "{degrees}° {sense} from its eccentric. This angle, or the marks, must stand on the drawing: {last} "
-                "can be meshed in steps of {z}°. A tooth of {driver} stands at gears.tooth_angle_deg = {degrees2}.",
+                "can be meshed in steps of {z}°. A tooth of {driver} stands at {degrees2}°, the angle given for it.",
                 last=name,
                 degrees=Amount(abs(math.degrees(offset)), form=".3f"),
                 sense=Text("further") if offset >= 0 else Text("back"),

@@ -70,7 +70,7 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, axes: Mapping[str,
         placing.notes.append(
             Text(
                 "Positions of the wheels are not given: nothing is said about clearances, assembly phase and included "
-                "angles. They follow from countershaft.axis_mm or gears.wheels.NAME.position_mm."
+                "angles. They follow from the axis of the shaft or the position of a wheel."
             )
         )
         return placing
@@ -97,7 +97,7 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, axes: Mapping[str,
         placing.notes.append(
             Text(
                 "{open}: no place, since nothing fixes it or its neighbours are out of reach: give "
-                "gears.wheels.{open2}.position_mm.",
+                "the position of {open2}.",
                 open=", ".join(open_),
                 open2=open_[0],
             )
@@ -286,7 +286,7 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
         Text(
             "{one} and {two} between {first} and {last}: one angle is free; chosen: {places}, where the tighter of "
             "them has the most room, {clearance} mm. Walls and neighbours that are not given are not heeded: give "
-            "gears.wheels.{one}.position_mm.",
+            "the position of {one}.",
             one=one,
             two=two,
             first=first,

@@ -241,8 +241,8 @@ SCUFFING = CheckRule(
 IRREGULARITY = K_A, DELTA_S
 TAKEN = (Text("application factor {k_a}", k_a=Amount(USUAL)),)
 KNOW_THE_ENGINE = Text(
-    "How unevenly the engine turns is not known: give gears.speed_irregularity, or engine.gas and "
-    "engine.flywheel_inertia_kgm2."
+    "How unevenly the engine turns is not known: give the irregularity of the first driver's speed, or the gas "
+    "and the inertia of the flywheel."
 )
 
 
@@ -460,8 +460,7 @@ def screening_checks(key: str, screened: Screening) -> Iterator[Check]:
             name=Text("Specific film thickness {title} at {film_place} (screening)", title=title, film_place=place),
             source=Text("ISO/TR 15144-1:2014, ISO/TS 6336-22:2018, method B; {limit}", limit=limit),
             advice=Text(
-                "Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not help. "
-                "{pressure}",
+                "Smoother flanks, cooler or thicker oil, more speed; stronger steel does not help. {pressure}",
                 pressure=_pressure(screened.film_pressure or 0.0),
             ),
         )

@@ -76,7 +76,7 @@ def _load_notes(context: RatingContext, load: RatingLoad) -> Iterator[Text]:
         yield Text(
             "Application factor: not given; chosen: {k_a} on the mean torque. The torque by the crank's irregularity "
             "is the larger load of such a train: a safety is verified where {worst} in its place leaves enough. Give "
-            "gears.speed_irregularity, or engine.gas and engine.flywheel_inertia_kgm2.",
+            "the irregularity of the first driver's speed, or the gas and the inertia of the flywheel.",
             k_a=K_A,
             worst=Amount(load.at_worst, form=".3g"),
         )

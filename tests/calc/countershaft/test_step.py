@@ -37,7 +37,7 @@ def test_the_mode_says_whether_the_masses_or_the_envelope_count():
     assert given.couple == pytest.approx(572.921, abs=5e-4)  # Finotti 2013, Table 4.1
     assert sized.result.couple == pytest.approx(572.932, abs=5e-4)  # what the engine asks for, 2.5.3.4
     assert given.sector is None and given.utilisation is None and sized.result.sector_mass < 2
-    assert any("[[shafts.masses]] are left aside" in note for note in sized.notes)
+    assert any("the masses that are given are left aside" in note for note in sized.notes)
     assert result(**ENVELOPE).couple == given.couple
 
 

@@ -226,7 +226,7 @@ def test_which_shafts_would_take_the_second_order(remedy, shafts):
 
 def test_one_shaft_takes_what_turns_backward():
     check = found(required_couple=123.4, required_couple_phase=math.radians(-150.0))["imbalance.order_1.backward"]
-    assert check.advice == "One shaft at −ω takes it: 123.4 N·m at −150°; add [[shafts]]."
+    assert check.advice == "One shaft at −ω takes it: 123.4 N·m at −150°; add a shaft."
 
 
 CRANK = (

@@ -139,8 +139,8 @@ def test_without_the_mass_of_the_whole_shaft_nothing_is_permitted():
     [
         (SIZE, ()),
         ({**SIZE, "holes": {**HOLES, "count": 5}}, ("5 holes on 2 masses",)),
-        ({"masses": [FRONT, REAR]}, ("give outer_radius_mm",)),
-        ({"outer_radius_mm": 43.0}, ("give core_radius_mm", "the outline has none")),
+        ({"masses": [FRONT, REAR]}, ("give the outer radius",)),
+        ({"outer_radius_mm": 43.0}, ("give the core radius", "the outline has none")),
         ({**SIZE, "masses": [FRONT]}, ()),
     ],
 )

@@ -205,8 +205,8 @@ def test_the_sentence(results: Results) -> None:
 def test_a_default_is_said_with_what_to_give(gamma_results: Results) -> None:
     words = sentence(gamma_results.train)
     assert words.startswith("Rattle at idle, no load: ") and words.endswith(
-        "This rests on an irregularity of 5 % at idle, 600 rpm, a default that knows no load: give [engine.gas] and "
-        "engine.flywheel_inertia_kgm2."
+        "This rests on an irregularity of 5 % at idle, 600 rpm, a default that knows no load: give the gas and "
+        "the inertia of the flywheel."
     )
     assert GIVES["gears"](gamma_results).startswith("backlash")  # which no default decides
 
