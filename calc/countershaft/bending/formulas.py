@@ -333,13 +333,13 @@ def moment_place(u: Bent) -> Metre:
 @formula(
     "M_s",
     "statics: moment of the forces on one side of a section, without what bending adds to them while the shaft turns",
-    meanings={"P": "Forces on one side of the section", "z": "Places of the forces", "z_s": "Place of the section"},
+    meanings={"F": "Forces on one side of the section", "z": "Places of the forces", "z_s": "Place of the section"},
 )
-def moment_by_statics(P: PhasorNewtons, z: Metres, z_s: Metre) -> NewtonMetre:
-    """>>> round(moment_by_statics(P=np.array([1715.0 + 0j]), z=np.array([0.1675]), z_s=0.1518), 2)
+def moment_by_statics(F: PhasorNewtons, z: Metres, z_s: Metre) -> NewtonMetre:
+    """>>> round(moment_by_statics(F=np.array([1715.0 + 0j]), z=np.array([0.1675]), z_s=0.1518), 2)
     26.93
     """
-    return modulus(total(P * (z - z_s)))
+    return modulus(total(F * (z - z_s)))
 
 
 @formula(

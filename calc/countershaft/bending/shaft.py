@@ -96,7 +96,7 @@ def _by_statics(shaft: "_Shaft", bent: Bent, z_s: Metre) -> NewtonMetre:
         there = (side * (places - z_s) > 0) & (P != 0)
         sides.append((P[there], places[there]))
     P, places = min(sides, key=lambda one: one[0].size)
-    moment: float = f.moment_by_statics(P=based_on(P, bent), z=based_on(places, *shaft.given["z_B"]), z_s=z_s)
+    moment: float = f.moment_by_statics(F=based_on(P, bent), z=based_on(places, *shaft.given["z_B"]), z_s=z_s)
     return moment
 
 
