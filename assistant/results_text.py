@@ -401,6 +401,9 @@ def print_findings(results: Results, step: str | None = None, everything: bool =
         )
 
 
+RESULTS = 2  # the number of the schema of the object; results_schema.py says what each field is
+
+
 def results_json(
     document: Document, results: Results, step: str | None = None, changes: Sequence[str] = (), measured: bool = False
 ) -> dict[str, Any]:
@@ -410,7 +413,7 @@ def results_json(
     shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
     moved = effects(document, results, [c for o in shown for c in o.checks if c.verdict in URGENT]) if measured else {}
     return {
-        "schema": 2,
+        "schema": RESULTS,
         "program": "contralbero",
         "version": VERSION,
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},

@@ -374,11 +374,13 @@ def makers(it: argparse.ArgumentParser) -> None:
     json_option(it)
 
 
-@command("setup", "the JSON Schema of a design file, by which editors complete and check it")
+@command("setup", "the JSON Schema of a design file, by which editors complete and check it, or of the results")
 def schema(it: argparse.ArgumentParser) -> None:
-    it.add_argument(
+    of = it.add_mutually_exclusive_group()
+    of.add_argument(
         "--schema", type=int, choices=(1, 2), default=2, help="1: of designs as version 0.1 wrote them (default: 2)"
     )
+    of.add_argument("--results", action="store_true", help="of the object that check --json and export --json give")
     output_option(it, "OUT.json", "default: -, to standard output")
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the documents have from the program itself: `python docs/generate.py` writes the theory pages from the formulas
-of the code, the validation, the errata and the schema of designs."""
+of the code, the validation, the errata and the schemas of designs and results."""
 
 import math
 import sys
@@ -8,6 +8,7 @@ from contextlib import redirect_stdout
 from importlib import import_module
 from io import StringIO
 from pathlib import Path
+from typing import Any
 
 HERE = Path(__file__).parent
 ROOT = HERE.parent
@@ -15,6 +16,7 @@ sys.path[:0] = [str(ROOT), str(HERE)]
 
 from key_pages import key_pages  # noqa: E402
 
+from assistant.results_schema import PROMISE, results_schema  # noqa: E402
 from calc.design.model import STEPS  # noqa: E402
 from calc.sheet.check import LETTERS, RULES  # noqa: E402
 from calc.sheet.expression import expression, text  # noqa: E402
@@ -514,6 +516,60 @@ def rattle() -> str:
     )
 
 
+RESULTS_PAGE = """# The results as JSON
+
+`contralbero check FILE --json` prints one object, and `contralbero export FILE --json -o PATH` writes it. Its
+[schema](contralbero.results.schema.json), which `contralbero schema --results` prints, is a JSON Schema (draft-07) by which programs
+check what they read. A report has the same object inside, as `results.json`.
+
+    contralbero check FILE --json | jq -r '.checks[] | select(.verdict == "fail") | [.id, .value, .unit] | @tsv'
+    contralbero check FILE --json | jq '.values["bearings.front.film"].value'
+
+{promise} Sentences for people may be reworded at any time; take ids. The order of fields and of ids says nothing. The results of `--set` and `--step` have
+the same fields. [Exit codes](commands.md) say the verdict without JSON. Objects of other commands (`compare`, `choose`, `sources` …) have a
+number of their own in `schema` and no such promise. Made by `python docs/generate.py`.
+"""
+
+
+def results_page() -> str:
+    """The fields with their meaning: a table for each object, the outermost first."""
+    tables = [RESULTS_PAGE.format(promise=PROMISE)]
+    waiting = [("", results_schema())]
+    for path, schema in waiting:  # grows on the way
+        heading = f"## `{path}`" if path else "## The object"
+        rows = []
+        for name, field in schema["properties"].items():
+            inner, kind = _inside(field)
+            rows.append(f"| `{name}` | {kind} | {field['description']} |")
+            if inner is not None:
+                waiting.append((f"{path}.{name}".removeprefix(".") + ("" if inner is field else "[]"), inner))
+        about = schema["description"]
+        tables.append(
+            "\n".join(filter(None, (heading, about and f"\n{about}", "\n| field | is | |\n|---|---|---|", *rows)))
+        )
+    return "\n\n".join(tables) + "\n"
+
+
+def _inside(field: dict[str, Any]) -> tuple[dict[str, Any] | None, str]:
+    """The object that a field holds or holds several of, and what it is in words."""
+    if "properties" in field:
+        return field, "object"
+    if "items" in field:
+        inner, kind = _inside(field["items"])
+        return inner, f"list of {kind}"
+    if "propertyNames" in field:
+        inner, kind = _inside(field["additionalProperties"])
+        return inner, f"by {field['propertyNames']['description']}: {kind}"
+    if "anyOf" in field:
+        return None, " or ".join(_inside(one)[1] for one in field["anyOf"])
+    if "const" in field:
+        return None, str(field["const"])
+    if "enum" in field:
+        return None, ", ".join(f"`{word}`" if word else "empty" for word in field["enum"])
+    kinds = field.get("type", "anything")
+    return None, kinds if isinstance(kinds, str) else " or ".join(kinds)
+
+
 def everything() -> dict[str, str]:
     validation = (
         "# Values of others beside ours\n\nWhat `contralbero validate` prints; made by `python docs/generate.py`. "
@@ -533,6 +589,8 @@ def everything() -> dict[str, str]:
             "rattle.md": rattle(),
             "errata.md": spoken("errata", "--markdown"),
             "contralbero.schema.json": spoken("schema"),
+            "contralbero.results.schema.json": spoken("schema", "--results"),
+            "json.md": results_page(),
         }
     )
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The JSON Schema of a design: every shipped design keeps that of its schema, it refuses what the program refuses of one
-key, and docs has it as it is."""
+"""The JSON Schemas.  Of a design: every shipped design keeps that of its schema, it refuses what the program refuses of
+one key.  Of the results: what is promised of them stays.  Docs has both as they are."""
 
 import json
 import os
@@ -10,6 +10,7 @@ import tomllib
 
 import pytest
 
+from assistant.results_schema import results_schema
 from tests.command import run
 from tests.conftest import DESIGNS, ROOT
 
@@ -71,9 +72,139 @@ def test_it_refuses_what_the_program_refuses(judge, tmp_path, old, new, key):
     assert any(".".join(map(str, error.path)) == key for error in judge.iter_errors(data(wrong)))
 
 
-def test_docs_has_it_as_it_is():
-    written = (ROOT / "docs" / "contralbero.schema.json").read_text(encoding="utf-8")
+def test_docs_has_them_as_they_are():
+    docs = ROOT / "docs"
+    written = (docs / "contralbero.schema.json").read_text(encoding="utf-8")
     assert written == run("schema").stdout == run("schema", "--schema", "2").stdout
+    results = (docs / "contralbero.results.schema.json").read_text(encoding="utf-8")
+    assert results == run("schema", "--results").stdout
+
+
+@pytest.mark.parametrize("words", [["--schema", 1], ["--schema", 2], ["--results"]], ids=str)
+def test_each_names_its_dialect_and_itself_as_validators_want_it(words):
+    """With https, or without the sign at its end, ajv knows no such dialect."""
+    schema = json.loads(run("schema", *words).stdout)
+    assert schema["$schema"] == "http://json-schema.org/draft-07/schema#"
+    of = "results:2" if words == ["--results"] else f"design:{words[1]}"
+    assert schema["$id"] == f"urn:contralbero:{of}"
+    jsonschema.Draft7Validator.check_schema(schema)
+
+
+def nodes(schema, path=()):
+    """Every schema in a schema, with its way."""
+    if isinstance(schema, dict):
+        yield path, schema
+        for name, part in schema.items():
+            yield from nodes(part, (*path, name))
+    elif isinstance(schema, list):
+        for n, part in enumerate(schema):
+            yield from nodes(part, (*path, n))
+
+
+def test_a_default_is_what_the_program_takes_and_allows(judge):
+    known = {
+        path: node
+        for path, node in nodes(judge.schema)
+        if "default" in node and isinstance(node.get("description"), str)
+    }
+    wrong = {
+        path: node["default"]
+        for path, node in known.items()
+        if not jsonschema.Draft7Validator(node).is_valid(node["default"])
+    }
+    assert len(known) > 80 and not wrong
+    bearings = judge.schema["properties"]["bearings"]["properties"]
+    assert bearings["outlet_temperature_limit_C"]["default"] == 135.0  # in the unit of the key
+    assert bearings["viscosity_law"]["default"] == "walther"
+    assert (
+        "default" not in bearings["oil"]
+        and "default" not in judge.schema["properties"]["engine"]["properties"]["bore_mm"]
+    )
+
+
+def test_shipped_oils_and_materials_are_offered_and_own_ones_allowed(judge):
+    bearings = judge.schema["properties"]["bearings"]["properties"]
+    offered, own = bearings["oil"]["anyOf"]
+    assert "5W-30" in offered["enum"] and own == {"type": "string"}
+    steels = judge.schema["properties"]["shafts"]["items"]["properties"]["material"]["anyOf"][0]["enum"]
+    assert "20CrNi4" in steels
+    design = data((NEW / "r753ie4_gamma.toml").read_text(encoding="utf-8"))
+    design["bearings"]["oil"] = "our own"
+    assert judge.is_valid(design)
+    design["bearings"]["bush_material"] = "our own"  # of which there is no table in a design
+    assert not judge.is_valid(design)
+
+
+# --- the results
+
+
+def promised(schema, path=""):
+    """What is said of each field: its way, and what it may be."""
+    schema = {
+        name: part
+        for name, part in schema.items()
+        if name not in ("description", "required", "$schema", "$id", "title")
+    }
+    fields, inner = schema.pop("properties", {}), schema.pop("items", None)
+    by = schema.pop("additionalProperties", None)
+    schema.pop("propertyNames", None)
+    told = {path: json.dumps(schema, sort_keys=True).replace('"description": "", ', "")}
+    for name, part in fields.items():
+        told |= promised(part, f"{path}.{name}".removeprefix("."))
+    for sign, part in (("[]", inner), ("{}", by)):
+        if part is not None:
+            told |= promised(part, path + sign)
+    return told
+
+
+def test_what_is_promised_of_the_results_stays():
+    """The file is of the day on which this schema was published: a field of it that is gone, or may be something else,
+    needs a schema of another number, and a file of its own."""
+    kept = json.loads((ROOT / "tests" / "data" / "results_2.json").read_text(encoding="utf-8"))
+    now = promised(results_schema())
+    assert len(kept) > 70 and {path: now.get(path) for path in kept} == kept
+
+
+def closed(schema):
+    """The same without leave to have further fields."""
+    if isinstance(schema, list):
+        return [closed(part) for part in schema]
+    if not isinstance(schema, dict):
+        return schema
+    more = {"additionalProperties": False} if "properties" in schema and "required" in schema else {}
+    return {name: closed(part) for name, part in schema.items()} | more
+
+
+def results_are_told(path, *words):
+    """Every field of the results is in the schema, and is what it says."""
+    found = json.loads(run("check", path, "--json", *words).stdout)
+    wrong = [
+        (list(e.path), e.message[:200]) for e in jsonschema.Draft7Validator(closed(results_schema())).iter_errors(found)
+    ]
+    assert not wrong, wrong[:5]
+    return found
+
+
+def test_the_results_of_a_design_are_as_the_schema_says(tmp_path):
+    gamma = DESIGNS / "r753ie4_gamma.toml"
+    found = results_are_told(gamma, "--step", "bearings", "--set", "bearings.front.length_mm=30")
+    assert found["design"]["set"] == ["bearings.front.length_mm=30"] and found["checks"] and found["tables"]
+    broken = json.loads(json.dumps(found))
+    broken["checks"][0]["verdict"] = "good"
+    del broken["counts"]
+    assert len(list(jsonschema.Draft7Validator(results_schema()).iter_errors(broken))) == 2
+    assert jsonschema.Draft7Validator(results_schema()).is_valid(found | {"later": 1})  # of a later version
+    out = tmp_path / "x.json"
+    run("export", DESIGNS / "timing_pair.toml", "--json", "-o", out)
+    assert json.loads(out.read_text(encoding="utf-8")) == results_are_told(DESIGNS / "timing_pair.toml")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "path", [*sorted(DESIGNS.glob("*.toml")), *sorted((DESIGNS / "makers").glob("*.toml"))], ids=lambda path: path.stem
+)
+def test_the_results_of_every_shipped_design_are_as_the_schema_says(path):
+    results_are_told(path)
 
 
 def test_every_key_says_what_it_means(judge):

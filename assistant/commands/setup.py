@@ -53,14 +53,20 @@ def run_completion(asked: Namespace) -> int:
 
 
 # --- contralbero schema
-# The JSON Schema of a design file, by which editors complete and check it.
+# The JSON Schema of a design file, by which editors complete and check it, or of the results.
 
 
 def run_schema(asked: Namespace) -> int:
+    if asked.results:
+        from assistant.results_schema import schema_text as results_text
+
+        text = results_text()
+    else:
+        text = schema_text(asked.schema)
     output = asked.output or STANDARD
     if output != STANDARD:
         demand_ending(output, "json")
-    put(output, schema_text(asked.schema))
+    put(output, text)
     if output != STANDARD:
         print(output)
     return 0

@@ -7,21 +7,26 @@ as a file.
 """
 
 import json
+from dataclasses import MISSING
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-from ..sheet.quantity import Quantity, keys
+from ..sheet.quantity import Key, Quantity, keys
 from .model import SCHEMA, Design
 
 FORMER = {1: Path(__file__).with_name("schema_1.json")}  # as files
-DIALECT = "https://json-schema.org/draft-07/schema#"  # the one that the editors of TOML know
+DIALECT = "http://json-schema.org/draft-07/schema#"  # the one that the editors of TOML know, by its only name
+OWN = ("oils", "materials", "strength_classes")  # catalogues beside which a design may name others
+DIGITS = 12  # of a default: what it has more comes of its unit
 
 
 def schema_text(number: int = SCHEMA) -> str:
     """The whole of it, of this schema or a former one, as a file."""
     if number in FORMER:
         return FORMER[number].read_text(encoding="utf-8")
-    known = {"$schema": DIALECT, "title": "Contralbero design", **_table(Design)}
+    about = {"$schema": DIALECT, "$id": f"urn:contralbero:design:{number}", "title": "Contralbero design"}
+    known = about | _table(Design)
     return json.dumps(known, ensure_ascii=False, indent=1) + "\n"
 
 
@@ -32,9 +37,31 @@ def _table(cls: type) -> dict[str, Any]:
     definition: dict[str, Any] = {
         "type": "object",
         "additionalProperties": False,
-        "properties": {k: _key(entry.about) for k, entry in known.items()},
+        "properties": {k: _key(entry.about) | _default(entry) for k, entry in known.items()},
     }
     return definition | ({"required": required} if required else {})
+
+
+def _default(entry: Key) -> dict[str, Any]:
+    """What stands for a key that is left out, in its unit; nothing where the program chooses."""
+    value, kind = entry.field.default, entry.about.kind
+    if value is MISSING or value is None or value in ("", ()):
+        return {}
+    if kind == "number":
+        value = _shown(entry.about, value)
+    elif kind in ("series", "integers", "names"):
+        value = [_shown(entry.about, x) if kind == "series" else x for x in value]
+    return {"default": value}
+
+
+def _shown(about: Quantity, x: float) -> float:
+    return float(f"{about.units.shown(x):.{DIGITS}g}")
+
+
+@cache
+def _shipped() -> Design:
+    """A design that brings no oil and no material of its own."""
+    return Design(schema=SCHEMA, name="")
 
 
 def _key(about: Quantity) -> dict[str, Any]:
@@ -66,7 +93,10 @@ def _key(about: Quantity) -> dict[str, Any]:
         case "reasons":
             return definition | {"type": "object", "additionalProperties": {"type": "string", "minLength": 1}}
         case "open":
-            return definition | {"type": ["array", "object"]}
+            return definition | {"anyOf": [{"type": "array"}, {"type": "object"}]}
+        case "text" if about.catalogue:
+            names = {"enum": list(getattr(_shipped(), about.catalogue))}
+            return definition | ({"anyOf": [names, {"type": "string"}]} if about.catalogue in OWN else names)
         case _:
             return definition | {"type": "string"}  # a date of TOML is one to the editors
 
