@@ -214,7 +214,7 @@ class SystemResult(Shown):
 
 
 def together(engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft]) -> SystemResult:
-    """What all shafts leave of the engine's vectors (by order; those at which a shaft turns are needed).
+    """What all shafts leave of the engine's vectors [N, N·m] (by order; those at which a shaft turns are needed).
 
     The torque reaction of the engine is that of its inertia, the gas torque is not in it."""
     peaks: dict[str, Any] = {}

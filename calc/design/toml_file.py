@@ -494,5 +494,6 @@ def load(path: Path | str) -> tuple[Document, Design]:
 
 
 def load_design(path: Path | str) -> Design:
-    """The design in a file; all that is wrong in it is raised at once, as BadInput."""
+    """The design in a file, its numbers in SI (temperatures in °C, speeds in revolutions per second); all that is wrong
+    in it is raised at once, as BadInput."""
     return load(path)[1]

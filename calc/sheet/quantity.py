@@ -13,6 +13,7 @@ from functools import cache
 from inspect import isabstract
 from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
 
+from .field_help import FieldHelp
 from .record import frozen, record, replace
 from .text import EMPTY, SPACE, Amount, Text
 from .units import UNITS, Unit
@@ -555,6 +556,7 @@ def values(
 def result(cls: type[T]) -> type[T]:
     """A class of results: frozen, made by keywords, told apart by identity, since results hold arrays."""
     kind: type = frozen(cls, kw_only=True)
+    kind.__doc__ = FieldHelp(kind.__doc__)  # type: ignore[assignment, arg-type]
     for f in fields(kind):
         if (about := f.metadata.get("value")) is not None:
             keyed: Keyed | None = f.metadata.get("keyed")
@@ -571,6 +573,7 @@ def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are (not what is cached beside them)."""
     cls.__eq__ = lambda self, other: type(self) is type(other) and given_of(self) == given_of(other)  # type: ignore[method-assign]
     kind: type = frozen(cls, kw_only=True)
+    kind.__doc__ = FieldHelp(kind.__doc__)  # type: ignore[assignment, arg-type]
     names = [field.name for field in fields(kind)]
 
     def given_of(self: object) -> list[object]:

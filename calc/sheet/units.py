@@ -103,13 +103,50 @@ PhasorNewtonMetres = Annotated[ComplexArray, "N·m"]
 PhasorNewtonsPerMetre = Annotated[ComplexArray, "N/m"]
 
 
-class Unit:
-    """How a quantity is shown: `shown = inside / factor`; `suffix` ends its key in a design file."""
+# what is inside in another unit than it is shown
+INSIDE = {
+    "": ("%", "‰"),
+    "m": ("mm", "µm"),
+    "m²": ("mm²",),
+    "m³": ("mm³", "cm³", "L"),
+    "m⁴": ("mm⁴",),
+    "m/s": ("mm/s", "km/h"),
+    "m/s/N": ("mm/s/N",),
+    "m²/s": ("mm²/s",),
+    "m²/N": ("mm²/N",),
+    "m³/s": ("L/min",),
+    "kg": ("g",),
+    "kg/s": ("g/h",),
+    "kg/J": ("g/kWh",),
+    "kg·m": ("g·mm", "kg·mm"),
+    "kg·m²": ("kg·mm²",),
+    "s": ("h",),
+    "rad": ("°", "mrad"),
+    "1/s": ("rpm",),
+    "N": ("kN",),
+    "N/m": ("N/mm", "kN/mm"),
+    "N·m": ("N·mm",),
+    "N·m/rad": ("N·m/°",),
+    "N·s/m": ("N·s/mm",),
+    "N/(m·s)": ("N·rpm/mm",),
+    "Pa": ("bar", "MPa", "GPa"),
+    "Pa·s": ("mPa·s",),
+    "Pa·m/s": ("MPa·m/s",),
+    "1/Pa": ("1/GPa",),
+    "W": ("kW",),
+    "1/K": ("10⁻⁶/K",),
+}
 
-    __slots__ = ("factor", "suffix", "symbol")
+
+class Unit:
+    """How a quantity is shown: `shown = inside / factor`; `suffix` ends its key in a design file, `inside_symbol` is
+    the unit in which Python has it."""
+
+    __slots__ = ("factor", "inside_symbol", "suffix", "symbol")
 
     def __init__(self, symbol: str, suffix: str, factor: float) -> None:
         self.symbol, self.suffix, self.factor = symbol, suffix, factor
+        self.inside_symbol = next((inside for inside, shown in INSIDE.items() if symbol in shown), symbol)
 
     def shown(self, inside: float) -> float:
         """The number as the user sees it, without the last digits that the conversion itself makes."""

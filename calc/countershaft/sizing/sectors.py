@@ -128,8 +128,11 @@ class SectorPair(Shown):
 def size_sectors(
     C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre, fillet: Metre = 0.0
 ) -> SectorPair:
-    """Two equal sectors opposite each other that give the couple C with the least mass.  A gap between them that does
-    not hold two fillets is closed.  Raises TooSmall."""
+    """Two equal sectors opposite each other that give the couple C [N·m] with the least mass.
+
+    `omega`: speed of the shaft [rad/s]; `rho`: density [kg/m³]; `R`, `r_0`: outer radius and that of the core [m];
+    `z_max`: from the middle to the outer face of a sector [m]; `fillet`: radius to the core [m].  Numbers alone.  A gap
+    between them that does not hold two fillets is closed.  Raises TooSmall."""
     K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
     u = f.pair_utilisation(K=K, z_max=z_max)
     if u > 1:

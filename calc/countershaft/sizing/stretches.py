@@ -117,7 +117,7 @@ def inner_gaps(shaft: ShaftInputs) -> Gaps:
 
 
 def stretches(half_length: Metre, gaps: Iterable[tuple[Metre, Metre]]) -> Stretches:
-    """What is left between ∓half_length of all gaps.
+    """What is left between ∓half_length [m] of all gaps, (from, to) [m], front to rear.
 
     A gap without width parts a stretch all the same: sectors end at the bearing."""
     left = [(based_on(-half_length, half_length), half_length)]
@@ -225,10 +225,11 @@ def size_stretches(
 ) -> SizedStretches:
     """The sectors that together have the unbalance U and the product of unbalance and position P.
 
-    U = F/ω² and P = C/ω², less what further elements do; `where`: the stretches, front to rear; a single one takes the
-    pair of `sectors.size` about its own middle, and only for that `fillet` counts.  Raises TooSmall where the envelope
-    can not hold them, NoSolution where nothing is asked, no stretch is left, or force and couple point different ways
-    and there are more than two."""
+    U = F/ω² [kg·m] and P = C/ω² [kg·m²], less what further elements do; `omega` [rad/s], `rho` [kg/m³], `R` and
+    `r_0`, outer radius and that of the core [m]; `where`: the stretches, (from, to) [m], front to rear; a single
+    one takes the pair of `sectors.size` about its own middle, and only for that `fillet` [m] counts.  Numbers
+    alone.  Raises TooSmall where the envelope can not hold them, NoSolution where nothing is asked, no stretch is
+    left, or force and couple point different ways and there are more than two."""
     if not where:
         raise NoSolution(
             Text("the gaps of the inner bearings leave no room for sectors"),

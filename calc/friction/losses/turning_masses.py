@@ -142,7 +142,8 @@ def mass_loss(
     mu: PascalSecond = AIR_VISCOSITY,
     shell_gap: Metre | None = None,
 ) -> MassLoss:
-    """Of the sectors of a shaft that turns at ω: their lengths, outer and core radii, an element each, or of one.
+    """The loss of the sectors of a shaft that turns at `omega` [rad/s]: their lengths `b`, outer radii `R` and core
+    radii `r_0` [m], arrays with an element each, or numbers of one; the loss is that of all together [W].
 
     ρ: density of the mist (24 kg/m³ by the tests of wheels); μ: viscosity of the air in it, which drops of oil do not
     thicken; `shell_gap`: between the sectors and the shell that covers them, None where nothing does."""

@@ -123,8 +123,10 @@ def solve_grooved(
     feed_pressure: float = 0.0,
     cells: tuple[int, int] = (192, 12),
 ) -> GroovedFilm:
-    """The film at ε, l/d, with its coefficients.  `feed_pressure`: over μ·ω·(r/c)².  Raises ValueError outside 0.02 <=
-    ε <= 0.98."""
+    """The film at ε, l/d with axial grooves, and its coefficients, all without dimensions.  Numbers alone.
+
+    `feeds`: the grooves, all of one length; `feed_pressure`: over μ·ω·(r/c)²; `cells`: around and along.  Raises
+    ValueError outside 0.02 <= ε <= 0.98."""
     _require(eccentricity, feeds)
     states: list[Array] = []
     phi = math.atan2(math.pi * math.sqrt(1 - eccentricity**2), 4 * eccentricity)

@@ -219,7 +219,8 @@ ALL = slice(None)  # quantities of the table
 
 
 def film_at(eccentricity: Value, length_ratio: Num, *, outside: Outside = "raise") -> FilmPoint[Value]:
-    """The film at eccentricity ε and length ratio l/d.  Arrays are broadcast; two scalars give floats.
+    """The film at eccentricity ε and length ratio l/d, without dimensions, by the table of Reynolds' equation.  Arrays
+    are broadcast, and give arrays; two numbers give numbers.
 
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
     """
