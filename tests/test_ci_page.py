@@ -15,7 +15,7 @@ import pytest
 from tests.conftest import DESIGNS, ROOT
 
 PAGES = [ROOT / "README.md", ROOT / "README.it.md", ROOT / "docs" / "ci.md"]
-LINES = re.compile(r"(?:^    contralbero (?:record|report designs|replay) .*\n){3}", re.MULTILINE)
+LINES = re.compile(r"(?:^ *contralbero (?:record|report designs|replay) .*\n){3}", re.MULTILINE)
 IN_WORKFLOW = re.compile(r"^ +- (?:run: )?(contralbero .*)$", re.MULTILINE)
 
 

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from assistant.commands.scenarios import run_replay as replay_command
 from assistant.session.recording import Recording, step
 from assistant.session.session import Session
 from calc.design import replay
 from calc.design.toml_file import Document
 from calc.solve import solve
+from tests.command import run
 
 BORE, ROD = "engine.bore_mm", "engine.rod_length_mm"
 
@@ -36,9 +36,7 @@ def end(script: replay.Script) -> dict[str, object]:
 
 
 @pytest.mark.slow
-def test_edits_of_all_kinds_play_to_the_same_values(
-    session: Session, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_edits_of_all_kinds_play_to_the_same_values(session: Session, tmp_path: Path) -> None:
     session.edit(BORE, "93")  # before the recording: a part of where it begins
     session.record()
     for text in ("1", "16", "164"):
@@ -78,8 +76,8 @@ def test_edits_of_all_kinds_play_to_the_same_values(
     assert {row["step"] for row in script.expects if "step" in row} == {s.key for s in session.design.asked()}
     assert {row["value"] for row in script.expects if "value" in row} >= {"engine.stroke", "friction.total_loss"}
     assert any("check" in row for row in script.expects)
-    assert replay_command(type("Asked", (), {"files": [str(tmp_path / "r.toml")], "update": False})()) == 0  # type: ignore[arg-type]
-    assert f"{len(compared)} of {len(compared)} as expected" in capsys.readouterr().out
+    done = run("replay", tmp_path / "r.toml")
+    assert done.returncode == 0 and f"{len(compared)} of {len(compared)} as expected" in done.stdout
 
 
 def test_what_is_invalid_on_the_way_goes_into_the_next_step(session: Session, tmp_path: Path) -> None:
