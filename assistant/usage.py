@@ -177,6 +177,7 @@ def choose(it: argparse.ArgumentParser) -> None:
     json_option(it)
     it.add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")
     it.add_argument("--apply", type=int, metavar="N", help="write row N into the design file")
+    quiet_option(it, "print the table alone; with --apply the name of the file alone")
 
 
 @command(
@@ -250,6 +251,7 @@ def compare(it: argparse.ArgumentParser) -> None:
         "-o", "--output", metavar="OUT.pdf", help="write the comparison as a PDF report, which verify checks"
     )
     all_option(it, "then all checks and values that differ, tables of one design written out")
+    quiet_option(it, "print the conclusion alone")
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="of the PDF (default: %(default)s)")
 
 

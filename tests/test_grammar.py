@@ -164,6 +164,15 @@ def test_only_a_design_keeps_the_file_that_it_was(tmp_path: Path) -> None:
     assert {path.name for path in tmp_path.glob("*.bak")} == {f"{design.name}.bak"}
 
 
+@pytest.mark.parametrize(
+    "words", [["check", PAIR], ["compare", PAIR, DESIGNS / "thesis_oils.toml"]], ids=lambda w: w[0]
+)
+def test_quiet_says_a_part_of_it_and_all_says_more(words: list[object]) -> None:
+    quiet, normal, whole = (run(*words, *more).stdout.splitlines() for more in (["-q"], [], ["-v"]))
+    assert 0 < len(quiet) < len(normal) < len(whole) and set(quiet) <= set(normal)
+    assert whole == run(*words, "--all").stdout.splitlines() == run(*words, "--verbose").stdout.splitlines()
+
+
 # --- colour
 
 

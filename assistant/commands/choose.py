@@ -58,7 +58,12 @@ def run_choose(asked: Namespace) -> int:
         except NoSolution as none:
             print(f"{asked.file}: {asked.step}: {none}", file=sys.stderr)
             return 3
-        _write(Path(asked.file), document, changes, asked.step, offer.said(asked.apply))
+        text, made = _write(asked.file, document, changes)
+        with spoken(asked.file):
+            if not asked.quiet:
+                _print_applied(asked, document, text, made, changes, offer.said(asked.apply))
+            elif asked.file != STANDARD:
+                print(asked.file)
         return 0
     table = offer.table(asked.top)
     if asked.json:
@@ -68,6 +73,9 @@ def run_choose(asked: Namespace) -> int:
         print(json.dumps(answer, ensure_ascii=False, indent=1))
         return 0
     title, *lines = table_lines(table)
+    if asked.quiet:
+        print("\n".join([title, *lines]))
+        return 0
     print(title)
     for words in offer.summary:
         print("\n".join(textwrap.wrap(words, LINE)))
@@ -96,29 +104,29 @@ def _locked(document: Document, offer: Offer) -> Text:
         return EMPTY
 
 
-def _write(path: Path, document: Document, changes: list[str], step: str, words: str) -> None:
-    """Put a row into the file and say so; then the verdicts, the warnings of this step, and of the others what fails or
-    is worse than before."""
-    changed_document, changed_design = changed(document, changes)
-    text = _saved(document.raw, changed_document, path)
-    if str(path) == STANDARD:
+def _write(file: str, document: Document, changes: list[str]) -> tuple[str, Design]:
+    """Put a row into the file; gives its text and the design that it is now."""
+    changed_document, made = changed(document, changes)
+    text = _saved(document.raw, changed_document, Path(file))
+    if file == STANDARD:
         put(STANDARD, text)
     else:
-        write_asked(path, text, backup=True, expected=document.raw)
-    with spoken(str(path)):
-        _print_choice(path, document, changes, step, words, text, changed_design)
+        write_asked(Path(file), text, backup=True, expected=document.raw)
+    return text, made
 
 
-def _print_choice(
-    path: Path, document: Document, changes: list[str], step: str, words: str, text: str, changed_design: Design
+def _print_applied(
+    asked: Namespace, document: Document, text: str, made: Design, changes: list[str], words: str
 ) -> None:
-    before = document.raw.decode("utf-8")
-    print(f"{path} {words}" + (f"; as it was before: {path}.bak" if str(path) != STANDARD else ""))
+    """What was written; then the verdicts, the warnings of this step, and of the others what fails or is worse than
+    before."""
+    before, step = document.raw.decode("utf-8"), asked.step
+    print(f"{asked.file} {words}" + (f"; as it was before: {asked.file}.bak" if asked.file != STANDARD else ""))
     if shut := locked_text(document, changes):
         print(Text("This {changes}", changes=shut))
     for comment in (Counter(_comments(before)) - Counter(_comments(text))).elements():
         print(f"A comment went with its key: {comment}")
-    results, former = solve(changed_design), solve(design(document))
+    results, former = solve(made), solve(design(document))
     words, were = results.words(), former.words()
     print("", words if words == were else Text("{words} (before: {were})", words=words, were=were), sep="\n")
     known = {c.id: c.verdict for c in former.checks()}

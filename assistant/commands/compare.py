@@ -64,9 +64,16 @@ def run_compare(asked: Namespace) -> int:
         return _write(sides, comparison, asked.output, asked.lang, asked.all)
     if asked.json:
         print(json.dumps(comparison_json(sides, comparison), ensure_ascii=False, indent=1, default=str))  # a date
+    elif asked.quiet:
+        _print_conclusion(sides, comparison)
     else:
         print("\n".join(text(sides, comparison, asked.all)))
     return 0
+
+
+def _print_conclusion(sides: Sides, comparison: Comparison) -> None:
+    names = column_names(*(Path(document.place).stem for document, _ in sides))
+    print("\n".join(sentences(comparison, names, sign)) if not comparison.equal else EQUAL)
 
 
 def _write(sides: Sides, comparison: Comparison, output: str, lang: str, everything: bool) -> int:
@@ -75,7 +82,7 @@ def _write(sides: Sides, comparison: Comparison, output: str, lang: str, everyth
     names = column_names(*(Path(document.place).stem for document, _ in sides))
     put(output, render(*sides, comparison, names, lang=lang, everything=everything), [d.place for d, _ in sides])
     with spoken(output):
-        print("\n".join(sentences(comparison, names, sign)) if not comparison.equal else EQUAL)
+        _print_conclusion(sides, comparison)
         if output != STANDARD:
             print(f"\n{output}")
     return 0

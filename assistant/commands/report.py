@@ -64,7 +64,7 @@ def _report(asked: Namespace, file: str, kind: str, target: str) -> int:
 
         content = render_docx(document, results, document.raw, depth=asked.depth, lang=asked.lang)
     else:
-        front = _front(Path(file), document)
+        front = _front(Path(file), document) if file != STANDARD else None
         content = render(document, results, document.raw, depth=asked.depth, lang=asked.lang, front=front)
     put(target, content, inputs_of(document, results))
     with spoken(target):
