@@ -56,6 +56,11 @@ def files_of(names: Sequence[str]) -> list[str]:
     return files
 
 
+def many(names: Sequence[str], files: Sequence[str]) -> bool:
+    """Whether several files were asked for: a folder is several, however many are in it."""
+    return len(files) > 1 or list(names) != list(files)
+
+
 def each(files: Iterable[str], work: Callable[[str], int], failed: Callable[[str, BadInput], object]) -> int:
     """Every file by itself, so that one with mistakes does not keep the others waiting; the worst of the exit codes.
     `failed` is told what was wrong with one."""

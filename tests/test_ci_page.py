@@ -37,7 +37,7 @@ def test_the_pages_and_the_workflow_files_have_the_same_lines() -> None:
     assert IN_WORKFLOW.findall(PAGES[-1].read_text(encoding="utf-8")) == each_push * 2  # GitHub and GitLab
 
 
-@pytest.mark.parametrize("count", [2, pytest.param(20, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [2, *(pytest.param(n, marks=pytest.mark.slow) for n in (1, 20))])
 def test_a_folder_of_designs_is_guarded_by_these_lines(tmp_path: Path, count: int) -> None:
     (tmp_path / "designs").mkdir()
     for n in range(count):
@@ -48,8 +48,8 @@ def test_a_folder_of_designs_is_guarded_by_these_lines(tmp_path: Path, count: in
     assert len([pdf for pdf in (tmp_path / "reports").iterdir() if pdf.read_bytes().startswith(b"%PDF")]) == count
     suites = ElementTree.parse(tmp_path / "replays.xml").getroot()
     assert len(suites) == count and all(int(one.get("tests", 0)) >= 5 for one in suites)
-    edited = tmp_path / "designs" / "pair1.toml"
+    edited = tmp_path / "designs" / "pair0.toml"
     edited.write_text(edited.read_text("utf-8").replace("face_width_mm = 23.0", "face_width_mm = 20.0"), "utf-8")
     assert shell(lines[-1:], tmp_path).returncode == 1
     suites = ElementTree.parse(tmp_path / "replays.xml").getroot()
-    assert [one.get("name") for one in suites if one.get("failures") != "0"] == ["replays/pair1.toml"]
+    assert [one.get("name") for one in suites if one.get("failures") != "0"] == ["replays/pair0.toml"]

@@ -10,7 +10,7 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from assistant.named_files import each, files_of, read_design
+from assistant.named_files import each, files_of, many, read_design
 from assistant.results_text import errors_json, print_results, results_json, state_words
 from calc.design.addresses import Table, address, every, parse_assignment
 from calc.design.limits import SEARCH_SECONDS
@@ -39,7 +39,7 @@ def run_check(asked: Namespace) -> int:
             [InputError(0, "", "", Text("needs a design; usage: contralbero check FILE… [--set KEY=VALUE …]"))],
         )
     files = files_of(names)
-    if files == names and len(files) == 1:
+    if not many(names, files):
         code, about = _check(asked, files[0], changes)
         if asked.json:
             _print_json(about)

@@ -26,6 +26,7 @@ from assistant.named_files import (
     each,
     files_of,
     is_folder,
+    many,
     put,
     read_design,
     spoken,
@@ -52,7 +53,7 @@ from calc.solve import Results, solve
 def run_record(asked: Namespace) -> int:
     """A replay of each design; one of a file begins with that file, as it is when it is replayed."""
     files = files_of(asked.files)
-    folder = asked.output is None or is_folder(asked.output, len(files) > 1)
+    folder = asked.output is None or is_folder(asked.output, many(asked.files, files))
     if len(files) > 1 and not folder:
         reason = Text("is one file, for {n} designs; give a folder", n=len(files))
         raise BadInput("contralbero record", [InputError(0, "-o", asked.output, reason)])

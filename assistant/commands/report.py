@@ -17,6 +17,7 @@ from assistant.named_files import (
     each,
     files_of,
     is_folder,
+    many,
     put,
     read_design,
     spoken,
@@ -40,8 +41,9 @@ PACKAGES = {"python-docx": "docx", "pypdfium2": "pypdfium2"}  # of the extra `do
 def run_report(asked: Namespace) -> int:
     """Of several designs each by itself; with --fail the exit code is the worst that `check` has for them."""
     files = files_of(asked.files)
-    jobs = _jobs(asked, files)
-    if len(files) == 1:
+    several = many(asked.files, files)
+    jobs = _jobs(asked, files, several)
+    if not several:
         return _report(asked, files[0], *jobs[files[0]])
 
     def work(file: str) -> int:
@@ -106,11 +108,11 @@ def _front(source: Path, document: Document) -> bytes | None:
     return raw
 
 
-def _jobs(asked: Namespace, files: Sequence[str]) -> dict[str, tuple[str, str]]:
+def _jobs(asked: Namespace, files: Sequence[str], several: bool) -> dict[str, tuple[str, str]]:
     """What is to be written for each design, and where.  What can not be is said before anything is solved."""
-    output, several = asked.output, len(files) > 1
+    output = asked.output
     folder = output is None or is_folder(output, several)
-    if several and not folder:
+    if len(files) > 1 and not folder:
         reason = Text("is one file, for {n} designs; give a folder", n=len(files))
         raise BadInput("contralbero report", [InputError(0, "-o", output, reason)])
     if folder or output == STANDARD:
