@@ -15,12 +15,15 @@ ROOT = HERE.parent
 sys.path[:0] = [str(ROOT), str(HERE)]
 
 from key_pages import key_pages  # noqa: E402
+from validation_page import validation_page  # noqa: E402
 
 from assistant.results_schema import PROMISE, results_schema  # noqa: E402
 from calc.design.model import STEPS  # noqa: E402
 from calc.sheet.check import LETTERS, RULES  # noqa: E402
 from calc.sheet.expression import expression, text  # noqa: E402
 from calc.sheet.formula import FORMULAS, Equation, units  # noqa: E402
+from calc.sheet.number import short  # noqa: E402
+from calc.sheet.step import Table  # noqa: E402
 
 SHARED = ("shared", "What several steps use")
 HEAD = """# {title}
@@ -109,6 +112,18 @@ def spoken(*arguments: str) -> str:
     with redirect_stdout(StringIO()) as out:
         main(arguments)
     return out.getvalue()
+
+
+def markdown_table(table: Table) -> str:
+    """A table of results: its title, its columns with their units, its note."""
+
+    def cell(content: str | float | None) -> str:
+        return "" if content is None else str(content) if isinstance(content, str) else short(content)
+
+    heads = [f"{label}, {unit}" if unit else str(label) for label, unit in table.columns]
+    lines = [heads, ["---"] * len(heads), *([cell(content) for content in row] for row in table.rows)]
+    rows = "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
+    return f"**{table.title}**\n\n{rows}\n\n{table.note}"
 
 
 PAIR = """# The pair under an inline four
@@ -260,13 +275,9 @@ It is `r753ie4_sized.toml` with other bearings: {size} at both ends, of which th
 
 What the program says of it, for each kind that passes:
 
-```text
 {table}
-```
 
-```text
 {risks}
-```
 
 ## What decides
 
@@ -284,7 +295,6 @@ where they are given.
 def plain_or_rolling() -> str:
     import numpy as np
 
-    from assistant.results_text import table_lines
     from calc.bearings import comparison as c
     from calc.bearings.result import BearingsResult
     from calc.bearings.rolling.search import as_rolling
@@ -322,7 +332,7 @@ def plain_or_rolling() -> str:
         return values[f"bearings.front.{what}"] + values[f"bearings.rear.{what}"]
 
     def printed(name: str) -> str:
-        return "\n".join(line.rstrip() for line in table_lines(tables[name]))
+        return markdown_table(tables[name])
 
     return PLAIN_OR_ROLLING.format(
         heads=" | ".join(f"{n:.0f} rpm" for n in speeds),
@@ -571,18 +581,12 @@ def _inside(field: dict[str, Any]) -> tuple[dict[str, Any] | None, str]:
 
 
 def everything() -> dict[str, str]:
-    validation = (
-        "# Values of others beside ours\n\nWhat `contralbero validate` prints; made by `python docs/generate.py`. "
-        "No public measurement of strike speed or force\nof a balance-shaft train was found: forces of strikes are verified against "
-        "our own finer model only\n([why balance shafts rattle](rattle.md)).\n\n"
-    )
     load_checks()
     return (
         pages()
         | key_pages()
         | {
-            "validation.md": validation
-            + "".join(f"    {line}\n" if line else "\n" for line in spoken("validate").splitlines()),
+            "validation.md": validation_page(),
             "checks.md": checks(),
             "pair.md": pair(),
             "plain_or_rolling.md": plain_or_rolling(),

@@ -99,7 +99,7 @@ def key_pages() -> dict[str, str]:
         for path, entry in entries:
             about = entry.about
             parts[page].append(_entry(path, entry, read[path], sorted(set(moves[path]))))
-            row = f"| {_plain(about.label)} | {about.units.symbol} | [`{path}`]({page}.md#{path}) |"
+            row = f"| {plain(about.label)} | {about.units.symbol} | [`{path}`]({page}.md#{path}) |"
             rows.append((str(about.label).casefold(), row))
     index = INDEX.format(
         count=len(rows),
@@ -118,19 +118,19 @@ def _entry(path: str, entry: Key, read: set[str], moved: list[str]) -> str:
     words = f" ({said})" if (said := _said(entry)) else ""
     lines = [
         f'### <a id="{path}"></a>`{entry.key}`\n',
-        f"`{path}`: **{_plain(about.label)}**{words}{unit}.",
+        f"`{path}`: **{plain(about.label)}**{words}{unit}.",
     ]
     if about.help:
-        lines.append(_sentence(_plain(about.help)))
-    lines.append(f"\n- Allowed: {_plain(about.allowed())}.")
+        lines.append(_sentence(plain(about.help)))
+    lines.append(f"\n- Allowed: {plain(about.allowed())}.")
     lines.append(f"- {_left_out(entry)}")
     if about.usual:
-        source = f" ({_plain(about.source)})" if about.source else ""
+        source = f" ({plain(about.source)})" if about.source else ""
         lines.append(
             f"- Usual: {short(about.usual[0], 10)} to {short(about.usual[1], 10)}{_after(about.units.symbol)}{source}."
         )
     elif about.source:
-        lines.append(f"- Source: {_plain(about.source)}.")
+        lines.append(f"- Source: {plain(about.source)}.")
     if about.where is not None:
         choice = about.where.choice.name.rstrip("_")
         words = " or ".join(f'`"{word}"`' for word in about.where.words)
@@ -180,7 +180,7 @@ def _users(path: str, about: Quantity, read: set[str], moved: list[str]) -> str:
     return ", ".join(steps) or "the design as a whole"
 
 
-def _plain(words: object) -> str:
+def plain(words: object) -> str:
     """Words of the program as Markdown has them; of its own signs it has only code."""
     return str(words).replace("|", "\\|").replace("*", "\\*").replace("<", "&lt;")
 

@@ -9,6 +9,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tomllib
 
 import pytest
 
@@ -75,6 +76,42 @@ def test_the_readme_is_a_page():
     assert all(
         len((ROOT / name).read_text(encoding="utf-8").splitlines()) <= 150 for name in ("README.md", "README.it.md")
     )
+
+
+def test_the_page_of_the_installation_says_what_is_installed():
+    """Its extras are those that there are, its top-level names those that are packed."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    extras, page = project["project"]["optional-dependencies"], (DOCS / "install.md").read_text(encoding="utf-8")
+    rows = page.partition("| extra | for |")[2].partition("\n\n")[0]
+    assert set(re.findall(r"`(\w+)`", "".join(re.findall(r"^\|([^|]*)\|", rows, re.M)))) == set(extras)
+    names = page.partition("| top-level name | holds |")[2].partition("\n\n")[0]
+    packed = {name.rstrip("*") for name in project["tool"]["setuptools"]["packages"]["find"]["include"]}
+    assert set(re.findall(r"^\| `(\w+)` \|", names, re.M)) == packed
+    for path in PAGES:
+        for asked in re.findall(r"(?:\.|contralbero)\[([\w,]+)\]'", path.read_text(encoding="utf-8")):
+            assert set(asked.split(",")) <= set(extras), f"{path.name}: [{asked}]"
+
+
+def test_every_command_has_its_section():
+    page = (DOCS / "commands.md").read_text(encoding="utf-8")
+    assert set(re.findall(r"^## ([a-z]+)$", page, re.M)) == set(COMMANDS) - {"session"}
+
+
+def test_code_has_a_language_and_is_not_cut():
+    """A browser shows some 120 columns of it; what is set in with spaces has no language."""
+    for path in PAGES:
+        languages = [name for name, _ in FENCE.findall(path.read_text(encoding="utf-8"))]
+        assert "" not in languages, path.name
+        wide = [line for code in blocks(path) for line in code.splitlines() if len(line) > 120]
+        assert wide == [], path.name
+
+
+def test_a_cell_of_a_table_has_no_bar_in_its_code():
+    """Some renderers show the backslash before it, others end the cell there."""
+    for path in PAGES:
+        prose = FENCE.sub("", path.read_text(encoding="utf-8"))
+        rows = [line for line in prose.splitlines() if line.startswith("|")]
+        assert [row for row in rows if re.search(r"`[^`|]*\\\|[^`]*`", row)] == [], path.name
 
 
 def test_the_site_builds_strictly(tmp_path):
