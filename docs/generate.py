@@ -252,7 +252,7 @@ place, in W:
 |---|---|{rule}|
 {rows}
 
-Of the ratio most belongs to the journals' size, not to their kind: the best plain pair of a shaft that is **not** threaded through has {plain_sizes} mm and loses {plain_loss:.0f} W
+Of the ratio most belongs to the journals' size, not to their kind. The best plain pair of a shaft that is **not** threaded through has {plain_sizes} mm and loses {plain_loss:.0f} W
 at rated speed in hot oil, where two {ball_sizes} lose {ball_loss:.0f} W.
 
 ![The loss of the sized shaft on plain and on rolling bearings over speed, cold, warm and hot](pictures/loss.png)
@@ -409,7 +409,7 @@ engine the force tells a tendency, 20·lg(F/F₀) dB.
 
 *From below*: no wheel may jam, so the nominal backlash needs what tolerance, runout, cold and heat can take. *From above*: it may not rattle (B at most), less what the largest running
 backlash has above the nominal one, and it turns the shaft against the crank, which leaves some of the couple. Of γ at idle A would need {quiet_a:.0f} µm along the line of action over all three
-meshes together, B {quiet_b:.0f}; jamming asks for {low_exact:.0f} of wheels without runout, for {window_low:.0f} with the runout of their grade, and with the tolerances as they are rattle allows {window_high:.0f}.
+meshes together, B {quiet_b:.0f}. Jamming asks for {low_exact:.0f} of wheels without runout, for {window_low:.0f} with the runout of their grade, and with the tolerances as they are rattle allows {window_high:.0f}.
 The window is empty: closer tolerances or another remedy, not another nominal value.
 
 ## What helps
@@ -428,7 +428,7 @@ The window is empty: closer tolerances or another remedy, not another nominal va
 ## How good the forces are
 
 The motion of the crank and every strike agree with an independent recomputation ([values of others](validation.md)). Strikes are reckoned without rebound, of rigid bodies, at steady speed. Held against a chain of elastic teeth (240 random trains, three dampings), the low force fits a train whose heavy shaft
-is the last, and is no lower bound; the high one is passed in 12 % of the meshes, then by 13 % in the median. So every sentence says *some … to …*. **No public measurement of strike speed or
+is the last, and is no lower bound. The high one is passed in 12 % of the meshes, then by 13 % in the median. So every sentence says *some … to …*. **No public measurement of strike speed or
 force of a balance-shaft train was found: forces are verified against our own finer model only.** The energy lost in strikes is *about … at most*. Where the backlash is larger than the swing of
 the driver, rebound may double a strike, and a check of the method says so.
 

@@ -114,6 +114,33 @@ def test_a_cell_of_a_table_has_no_bar_in_its_code():
         assert [row for row in rows if re.search(r"`[^`|]*\\\|[^`]*`", row)] == [], path.name
 
 
+WRITTEN_BY_THE_PROGRAM = {"validation.md", "checks.md", "errata.md", "speed.md", "laws.md"}  # lists and tables, mostly
+MOST_WORDS = 40
+
+
+def sentences(page):
+    """Those of the paragraphs and lists of a page; a piece of code or a link counts as a word or as its own words."""
+    prose = re.sub(r"^[|#!].*$", "", FENCE.sub("", page), flags=re.MULTILINE)
+    for paragraph in re.split(r"\n\s*\n|\n(?=- |\d+\. )", prose):
+        words = re.sub(r"\]\([^)]*\)", "]", re.sub(r"`[^`]*`", "CODE", " ".join(paragraph.split())))
+        yield from re.split(r"(?<=[.!?])\)?\s+(?=[A-Z0-9\[*(])", words)
+
+
+def test_a_sentence_is_counted_to_its_end():
+    page = "One two (three). Four `a b. C d` five\nsix. [Seven eight](a.md). Nine\n\n- ten\n- eleven\n\n| twelve. |\n"
+    assert [len(sentence.split()) for sentence in sentences(page)] == [3, 4, 2, 1, 2, 2]
+
+
+@pytest.mark.parametrize(
+    "path",
+    [ROOT / "README.md", *(p for p in sorted(DOCS.glob("*.md")) if p.name not in WRITTEN_BY_THE_PROGRAM)],
+    ids=lambda path: path.name,
+)
+def test_sentences_are_short(path):
+    long = [s for s in sentences(path.read_text(encoding="utf-8")) if len(s.split()) > MOST_WORDS]
+    assert long == [], f"{path.name}: at most {MOST_WORDS} words"
+
+
 def test_the_site_builds_strictly(tmp_path):
     pytest.importorskip("mkdocs")
     done = subprocess.run(
