@@ -52,6 +52,15 @@ def test_sweep_names_all_that_is_wrong():
     assert "did you mean" in done.stderr and "whole numbers" in done.stderr and "Traceback" not in done.stderr
 
 
+def test_a_full_disk_behind_the_temporary_files_is_said(monkeypatch):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("calc.studies.sweep.table.InFolder.keep", full)
+    done = run("sweep", "designs/timing_pair.toml", "--vary", "gears.face_width_mm=19,20")
+    assert done.returncode == 2 and "cannot be written: No space left on device" in done.stderr and not done.stdout
+
+
 @pytest.mark.parametrize("out", ["", ".", ".."])
 def test_a_folder_is_no_table(tmp_path, out):
     done = run("sweep", GAMMA, "--vary", "engine.bore_mm=93,94", "--step", "imbalance", "-o", out, cwd=tmp_path)

@@ -316,12 +316,16 @@ def _spare_others(folder: Path, source: Path) -> None:
 
 def write(folder: Path, front: FrontFound) -> None:
     """Every drive as a design of its own, then the front."""
-    for old in _drives(folder):
-        old.unlink()
+    old = _drives(folder)
     for n, drive in enumerate(front.drives, 1):
         write_asked(folder / f"{n:03d}.toml", drive_text(front.problem, drive.document))
     write_asked(folder / "front.csv", csv_text(front))
     write_asked(folder / FRONT, json_text(front))
+    now = {f"{n:03d}.toml" for n in range(1, len(front.drives) + 1)}
+    for path in old:
+        if path.name not in now:
+            with asked_for(path):
+                path.unlink(missing_ok=True)
 
 
 def drive_text(problem: Problem, drive: Document) -> str:

@@ -46,7 +46,8 @@ def run_sweep(asked: Namespace) -> int:
             return _to_file(task, Path(output), asked, processes)
         with TemporaryDirectory(prefix="contralbero-") as folder:
             store = _store(task, Path(folder))
-            swept(task, store, _progress(task, asked), processes, asked.scheduler or "")
+            with asked_for(store.folder):  # of temporary files, whose disk may be full
+                swept(task, store, _progress(task, asked), processes, asked.scheduler or "")
             counts = write_csv(sys.stdout, document, task.plan.inputs, store)
         if not asked.quiet:
             print(_summary(counts, task), file=sys.stderr)

@@ -6,7 +6,6 @@ Remembered are the last designs, edits that were not saved, and the user's setti
 import contextlib
 import hashlib
 import os
-import tomllib
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
@@ -14,9 +13,10 @@ from secrets import token_hex
 from typing import Any
 
 from calc.design.addresses import Table, address, changed
-from calc.design.disk import lock
+from calc.design.disk import lock, read_file
 from calc.design.labels import Place
-from calc.design.toml_file import Document, current_document
+from calc.design.limits import DESIGN_BYTES
+from calc.design.toml_file import Document, current_document, read_as_it_is
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 
@@ -165,7 +165,7 @@ class Memory:
     def _opened(self) -> list[Path]:
         """What was open, the last first: a path in each line of the file `last`."""
         try:
-            lines = (self.folder / "last").read_text(encoding="utf-8").splitlines()
+            lines = read_file(self.folder / "last", DESIGN_BYTES).decode("utf-8").splitlines()
         except (OSError, ValueError):
             return []
         return [path for line in lines if (path := Path(line.strip())).is_absolute()]
@@ -256,10 +256,7 @@ class Memory:
     # --- settings
     def keys(self) -> dict[str, str]:
         """The user's own keys: `keys.toml` in this folder, the id of an action = its keys (`save = "ctrl+w,f12"`)."""
-        try:
-            table = tomllib.loads((self.folder / "keys.toml").read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            return {}
+        table = _table(self.folder / "keys.toml") or {}
         return {str(id): keys for id, keys in table.items() if isinstance(keys, str)}
 
     def settings(self) -> Settings:
@@ -279,16 +276,13 @@ class Memory:
         file = self.folder / "settings.toml"
         with contextlib.suppress(SaveError, OSError):
             try:
-                text = edited_text(file.read_text(encoding="utf-8"), {name: value})
-            except (OSError, ValueError, SaveError):  # there is none, or it is damaged
+                text = edited_text(read_as_it_is(file).raw.decode("utf-8"), {name: value})
+            except (BadInput, ValueError, SaveError):  # there is none, or it is damaged
                 text = fresh_text({**self._settings(), name: value})
             self._write(file, text)
 
     def _settings(self) -> Table:
-        try:
-            return tomllib.loads((self.folder / "settings.toml").read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            return {}
+        return _table(self.folder / "settings.toml") or {}
 
     def _write(self, file: Path, text: str) -> None:
         try:
@@ -300,9 +294,18 @@ class Memory:
         write_atomic(file, text.encode("utf-8"), backup=False)
 
 
-def _read(file: Path) -> Edits | None:
+def _table(file: Path) -> dict[str, Any] | None:  # Any: it may be damaged
+    """What a file of the folder says, read as carefully as a design; None: it is not there, or damaged."""
     try:
-        table = tomllib.loads(file.read_text(encoding="utf-8"))
+        return read_as_it_is(file).data
+    except BadInput:
+        return None
+
+
+def _read(file: Path) -> Edits | None:
+    if (table := _table(file)) is None:
+        return None
+    try:
         head, kept = table["unsaved"], current_document(Document(table["design"]))
         typed = {tuple(entry["place"]): str(entry["text"]) for entry in table.get("typed", [])}
         if kept.former is not None:  # by version 0.1
@@ -314,7 +317,7 @@ def _read(file: Path) -> Edits | None:
             typed,
             str(head.get("session", "")),
         )
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+    except (BadInput, ValueError, KeyError, TypeError, AttributeError):  # or of a later program
         return None
 
 

@@ -20,6 +20,7 @@ APPENDED_SECONDS, APPENDED_MEMORY = 90, 2**31  # of the process that compares it
 LOGO_BYTES = 300_000
 LOGO_SIDE = 2000
 FRONT_BYTES = 4_000_000  # a front of 2000 drives has a third of it
+PART_BYTES = 2**28  # of a class that a search has kept
 
 # --- the designs of a sweep that stand in a file
 

@@ -2,6 +2,7 @@
 """What is remembered between two runs: unsaved edits, the last design, the user's keys."""
 
 import asyncio
+import os
 import threading
 import time
 import tomllib
@@ -13,7 +14,7 @@ from textual.messages import ExitApp
 
 from assistant.output import state_dir
 from assistant.screens.workbench_results import KEEP
-from assistant.session.recovery import RECENT, Edits, Memory, Settings
+from assistant.session.recovery import RECENT, Edits, Memory, Settings, design_key
 from assistant.session.session import EXAMPLE, Session
 from calc.sheet.errors import BadInput
 from tests.assistant.conftest import NOON, Screen
@@ -240,6 +241,37 @@ def test_damaged_memory_is_no_memory(session: Session) -> None:
     assert not reopened(session).dirty
     (session.memory.folder / "last").write_bytes(b"\xff\xfe\x00")
     assert session.memory.last() is None
+
+
+DEEP = b"a = " + b"[" * 100_000
+HEAD = b"[unsaved]\nsha256 = 'a'\ntime = '2020-01-01T00:00:00'\n"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="pipes of POSIX")
+@pytest.mark.parametrize(
+    "what",
+    [
+        None,
+        DEEP,
+        b"a = " + b"{a=" * 3000,
+        b"x" * 2**22,
+        b"\xff\0",
+        b"a = " + b"9" * 10_000,
+        HEAD + b"[design]\nschema = 99\n",
+    ],
+    ids=["a pipe", "deep", "deep tables", "large", "no text", "many digits", "of a later program"],
+)
+def test_no_file_of_the_state_folder_stops_or_ends_the_session(tmp_path: Path, what: bytes | None) -> None:
+    memory, path = Memory(tmp_path), tmp_path / "d.toml"
+    (tmp_path / "unsaved").mkdir()
+    unsaved = tmp_path / "unsaved" / f"{design_key(path)}-s.toml"
+    for file in (tmp_path / "last", tmp_path / "keys.toml", tmp_path / "settings.toml", unsaved):
+        os.mkfifo(file) if what is None else file.write_bytes(what)
+    assert memory.last() is None and not memory.recent() and not memory.keys()
+    assert memory.settings() == Settings() and not memory.kept(path) and not memory.left(path)
+    if what is not None:
+        memory.set_setting("language", "it")
+        assert memory.settings().language == "it"
 
 
 def test_kept_edits_that_are_no_design_any_more_are_left_alone(session: Session) -> None:

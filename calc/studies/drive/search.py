@@ -15,7 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from ...design.disk import write_file
+from ...design.disk import read_file, write_file
+from ...design.limits import PART_BYTES
 from ...design.step_inputs import shaft_gear
 from ...design.toml_file import Document, design
 from ...gears.result import TrainResult
@@ -154,7 +155,10 @@ def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
     if parts is None:
         return None
     try:
-        with np.load(parts / f"{key(problem)}-{n}.npz", allow_pickle=False) as file:
+        raw = read_file(parts / f"{key(problem)}-{n}.npz", PART_BYTES)
+        with np.load(BytesIO(raw), allow_pickle=False) as file:
+            if sum(part.file_size for part in file.zip.infolist()) > PART_BYTES:
+                return None  # packed by somebody else
             rows = DriveRows(**{name: file[name] for name in DriveRows.__dataclass_fields__})
             if len({len(column) for column in vars(rows).values()}) != 1:
                 return None

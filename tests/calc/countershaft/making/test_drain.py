@@ -239,13 +239,13 @@ def test_the_slope_that_a_tilted_machine_leaves(tilt, verdict):
     """Finotti 2013, 3.2.2: 45° of the support, so that the oil leaves also on a slope."""
     r = drain.solve(asked(22.5, 24.0, slope=math.radians(45), tilt=None if tilt is None else math.radians(tilt)))
     assert math.degrees(r.drain_slope) == pytest.approx(45.0 - (tilt or 0.0)) and verdicts(r).get("slope") == verdict
-    assert any("bore_mm" in note for note in drain.notes(r))
+    assert any("narrowest bore" in note for note in drain.notes(r))
 
 
 @pytest.mark.parametrize("own, missing", [({}, False), ({"slope": 0.1}, True), ({"slope": 0.1, "bore": 0.01}, False)])
 def test_what_runs_off_needs_a_bore_where_there_is_a_slope(own, missing):
     notes = drain.notes(drain.solve(asked(22.5, 24.0, **own)))
-    assert any("bore_mm" in note for note in notes) is missing
+    assert any("narrowest bore" in note for note in notes) is missing
 
 
 def test_a_tilt_needs_a_slope():

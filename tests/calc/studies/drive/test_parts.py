@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Parts that are kept between runs: one that anything happened to is done again, or is what it was."""
 
+import os
 import random
+import zipfile
 from dataclasses import replace
 
 import numpy as np
@@ -54,6 +56,21 @@ def test_whatever_happens_to_a_part_it_is_refused_or_what_it_was(few, kept):
             np.array_equal(column, vars(rows(40))[name]) for name, column in vars(one.rows).items()
         )
     assert refused > 300
+
+
+@pytest.mark.skipif(os.name != "posix", reason="pipes of POSIX")
+def test_a_part_that_never_ends_or_is_packed_by_somebody_else_is_done_again(few, kept, monkeypatch):
+    with zipfile.ZipFile(kept) as file:
+        members = {name: file.read(name) for name in file.namelist()}
+    with zipfile.ZipFile(kept, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, content in members.items():
+            file.writestr(name, content)
+        file.writestr("more", bytes(2**20))
+    monkeypatch.setattr(running, "PART_BYTES", 2**19)
+    assert kept.stat().st_size < 2**19 and running._kept(few, 0, kept.parent) is None
+    kept.unlink()
+    os.mkfifo(kept)
+    assert running._kept(few, 0, kept.parent) is None
 
 
 @pytest.mark.parametrize(
