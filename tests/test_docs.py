@@ -130,11 +130,19 @@ def unknown(table, inputs, path=""):
 def test_every_piece_of_a_design_is_one():
     """It is TOML, and its keys are known where they stand; … stands for a number that is left to the reader."""
     pieces = [(path.name, code) for path in PAGES for code in blocks(path, "toml")]
-    assert len(pieces) > 30
+    assert len(pieces) >= 25
     for name, code in pieces:
         table = tomllib.loads(code.replace("= …", "= 0"))
         if "step" not in table:  # no replay, which `contralbero replay` reads
             assert list(unknown(table, Design)) == [], name
+
+
+def test_every_piece_of_python_is_one():
+    """Those of docs/python.md run in tests/test_library.py."""
+    pieces = [(path.name, code) for path in PAGES for code in blocks(path, "python")]
+    assert pieces
+    for name, code in pieces:
+        compile(code, name, "exec")
 
 
 WRITTEN_BY_THE_PROGRAM = {"validation.md", "checks.md", "errata.md", "speed.md", "laws.md"}  # lists and tables, mostly
