@@ -96,13 +96,17 @@ def checks() -> str:
     return "\n".join(parts) + "\n"
 
 
+def written(one: Equation) -> str:
+    """Symbol = formula, as plain text."""
+    return f"{one.symbol} = {str(one.shows) or text(expression(one))}"
+
+
 def _line(one: Equation) -> str:
-    shown = str(one.shows) or text(expression(one))
     unit = one.unit or units(one).get("return", "")
     about = " ".join((one.function.__doc__ or "").split(">>>")[0].split())
     in_unit = f" ({unit})" if unit else ""
     tail = f"  \n    {about}" if about else ""
-    return f"- `{one.symbol} = {shown}`{in_unit}  \n    *{one.source}*{tail}"
+    return f"- `{written(one)}`{in_unit}  \n    *{one.source}*{tail}"
 
 
 def spoken(*arguments: str) -> str:
