@@ -5,15 +5,22 @@ unread."""
 import hashlib
 import json
 import os
+import random
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
-from calc.design import disk
+from calc.design import disk, replay
 from calc.design.limits import DESIGN_BYTES, FRONT_BYTES, LIST_BYTES, LIST_COLUMNS
+from calc.design.toml_file import read
+from calc.sheet.errors import BadInput
+from calc.studies.drive.front import Broken, picked, searched
+from calc.studies.sweep.inputs import listed
 from tests.command import run
-from tests.conftest import DESIGNS, GAMMA
+from tests.conftest import DESIGNS, GAMMA, ROOT
 
+REPLAYS = sorted((ROOT / "tests" / "replays").glob("*.toml"))
 SIZED = DESIGNS / "r753ie4_sized.toml"
 DEEP = b"[" * 100_000
 
@@ -190,3 +197,54 @@ def test_a_file_that_has_no_bytes_now_is_not_read(tmp_path: Path, monkeypatch: p
         handle = file.fileno()
         monkeypatch.setattr(disk, "open", lambda *_, **__: Nothing(), raising=False)
         is_bad_input(run("check", path), "cannot be read")
+
+
+# --- by a generator
+
+SIGNS = (b"[", b"]", b"{", b"}", b'"', b"=", b",", b"\n", b"\0", b"\xff", b"1e400", b"nan", b"9" * 400, b"[[step]]", b"*",
+         b"schema = 1\n", b"\xe2\x80\xae", b"-1", b"null", b"[]", b"1:2:3", b"true")  # fmt: skip
+FRONT = {
+    "design": "a",
+    "proved": True,
+    "classes": 1,
+    "classes_done": 1,
+    "combinations": 3,
+    "objectives": {"power": "W", "mass": "kg"},
+    "sizes_mm": {"a": [1, 2], "b": None},
+    "choices": {"x": ["a", ["b", "c"]]},
+    "drives": [{"objectives": {"power": 1.0, "mass": 2.0}, "changes": {"engine.bore_mm": 94.0}}],
+}
+LIST = b"engine.rated_speed_rpm,bearings.oil,gears.wheels.shaft.teeth\n2000,SAE 30,30\n,SAE 50,\n99999,,\n"
+
+
+def mutated(raw: bytes, rng: random.Random) -> bytes:
+    """With a few pieces cut out, put in or repeated."""
+    changed = bytearray(raw)
+    for _ in range(rng.choice((1, 1, 2, 4))):
+        at, way = rng.randrange(len(changed) + 1), rng.random()
+        if way < 0.3:
+            del changed[at : at + rng.choice((1, 3, 20, 200))]
+        elif way < 0.7:
+            changed[at : at + rng.choice((0, 1, 5))] = rng.choice(SIGNS)
+        else:
+            other = rng.randrange(len(changed) + 1)
+            changed[at:at] = changed[other : other + rng.choice((5, 50, 300))]
+    return bytes(changed)
+
+
+@pytest.mark.slow
+def test_a_replay_a_list_and_a_front_that_anything_happened_to_are_read_or_refused(tmp_path: Path) -> None:
+    rng, base, file = random.Random(5), read(GAMMA), tmp_path / "x"
+    scripts = [path.read_bytes().replace(b"../../designs", str(DESIGNS).encode()) for path in REPLAYS]
+    for _ in range(3000):
+        file.write_bytes(mutated(rng.choice(scripts), rng))
+        with suppress(BadInput):
+            replay.load(file)
+        file.write_bytes(mutated(LIST, rng))
+        with suppress(BadInput):
+            listed(base, str(file))
+        raw = mutated(json.dumps(FRONT).encode(), rng)
+        with suppress(Broken):
+            picked(raw, base.data)
+        with suppress(Broken):
+            searched(raw)
