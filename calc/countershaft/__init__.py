@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from .outline import sector_area as sector_area
     from .outline import sector_mass as sector_mass
     from .result import CountershaftResult as CountershaftResult
-    from .sizing.sectors import size_sectors as size_sectors
-    from .sizing.stretches import size_stretches as size_stretches
+    from .sizing.by_hand import size_sectors as size_sectors
+    from .sizing.by_hand import size_stretches as size_stretches
     from .sizing.stretches import stretches as stretches
     from .sums import OrderVectors as OrderVectors
     from .sums import SystemShaft as SystemShaft

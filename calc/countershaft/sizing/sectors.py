@@ -125,14 +125,11 @@ class SectorPair(Shown):
     couple: NewtonMetre  # of the pair, from its dimensions
 
 
-def size_sectors(
+def pair(
     C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre, fillet: Metre = 0.0
 ) -> SectorPair:
-    """Two equal sectors opposite each other that give the couple C [N·m] with the least mass.
-
-    `omega`: speed of the shaft [rad/s]; `rho`: density [kg/m³]; `R`, `r_0`: outer radius and that of the core [m];
-    `z_max`: from the middle to the outer face of a sector [m]; `fillet`: radius to the core [m].  Numbers alone.  A gap
-    between them that does not hold two fillets is closed.  Raises TooSmall."""
+    """Two equal sectors opposite each other that give the couple C with the least mass.  A gap between them that does
+    not hold two fillets is closed.  Raises TooSmall."""
     K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
     u = f.pair_utilisation(K=K, z_max=z_max)
     if u > 1:
@@ -242,7 +239,7 @@ def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Ext
 def _of_pair(P: PhasorKilogramMetre2, room: Room) -> Sized:
     with about(Text("sectors")):
         C = f.couple_asked(P=P, omega=room.omega)
-        half = size_sectors(C, room.omega, room.rho, room.R, room.r_0, room.z_max, room.fillet)
+        half = pair(C, room.omega, room.rho, room.R, room.r_0, room.z_max, room.fillet)
         rear = f.couple_direction(P=P)
         common = dict(length=half.length, half_angle=half.half_angle, mass=half.mass, radius=half.radius)
         return Sized(

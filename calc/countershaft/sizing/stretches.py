@@ -25,7 +25,6 @@ from ...sheet.functions import argument, cos, joined, largest, modulus, root
 from ...sheet.linked_array import column, gathered
 from ...sheet.quantity import result
 from ...sheet.record import replace
-from ...sheet.shown import Shown
 from ...sheet.text import Amount, Text
 from ...sheet.units import (
     Kilogram,
@@ -72,7 +71,7 @@ NOT_THE_LIGHTEST = Text(
 
 
 @result
-class SizedStretches(Shown):
+class SizedStretches:
     """The sectors between the bearings, front to rear; `lightest`: whether no others of their kind weigh less."""
 
     mass: Kilogram
@@ -225,11 +224,10 @@ def size_stretches(
 ) -> SizedStretches:
     """The sectors that together have the unbalance U and the product of unbalance and position P.
 
-    U = F/ω² [kg·m] and P = C/ω² [kg·m²], less what further elements do; `omega` [rad/s], `rho` [kg/m³], `R` and
-    `r_0`, outer radius and that of the core [m]; `where`: the stretches, (from, to) [m], front to rear; a single
-    one takes the pair of `sectors.size` about its own middle, and only for that `fillet` [m] counts.  Numbers
-    alone.  Raises TooSmall where the envelope can not hold them, NoSolution where nothing is asked, no stretch is
-    left, or force and couple point different ways and there are more than two."""
+    U = F/ω² and P = C/ω², less what further elements do; `where`: the stretches, front to rear; a single one takes the
+    pair of `sectors.size` about its own middle, and only for that `fillet` counts.  Raises TooSmall where the envelope
+    can not hold them, NoSolution where nothing is asked, no stretch is left, or force and couple point different ways
+    and there are more than two."""
     if not where:
         raise NoSolution(
             Text("the gaps of the inner bearings leave no room for sectors"),

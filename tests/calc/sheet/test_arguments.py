@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from calc import bearings, engine, friction, gears, imbalance, load_design
+from calc import bearings, countershaft, engine, friction, gears, imbalance, load_design
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.record import replace
 from tests.conftest import GAMMA
@@ -72,6 +72,17 @@ def test_pairs_and_losses_are_held_to_theirs():
     pair = gears.solve_pair(**PAIR)
     (error,) = refused(friction.solve_loss, pair, **LOSS | dict(temperature=363))
     assert error.key == "temperature" and "for 363 K give 89.85" in error.text("")
+
+
+def test_sectors_are_held_to_theirs():
+    room = dict(omega=272.3, rho=7860, R=0.043, r_0=0.018)
+    (error,) = refused(countershaft.size_sectors, C=573, z_max=0.1475, **room | dict(R=43.0))
+    assert error.key == "R" and "for 43 mm give 0.043" in error.text("")
+    (error,) = refused(countershaft.size_sectors, C=573, z_max=147.5, **room)
+    assert error.key == "z_max"
+    where = countershaft.stretches(0.13, [(0, 0.036)])
+    (error,) = refused(countershaft.size_stretches, U=0, P=0.0025, where=where, **room | dict(rho=7.86))
+    assert error.key == "rho"
 
 
 @pytest.mark.parametrize("call", [engine.solve_engine, imbalance.solve_imbalance])

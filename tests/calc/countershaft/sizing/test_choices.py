@@ -22,7 +22,7 @@ from calc.countershaft.sizing.choices import (
     front_curve,
     key,
 )
-from calc.countershaft.sizing.sectors import TooSmall, size, size_sectors
+from calc.countershaft.sizing.sectors import TooSmall, pair, size
 from calc.design.toml_file import design
 from calc.engine import solve as engine
 from calc.imbalance import solve as imbalance
@@ -109,9 +109,9 @@ def test_the_development_an_alternative_bears_does_not_depend_on_its_own(case):
 def test_another_material_keeps_the_couple(case):
     """Same length and half-angle at the other radius and density: the same couple, and the mass and wall that are
     said."""
-    one = size_sectors(560.0, OMEGA, STEEL, 0.0405, 0.015, 0.154)
+    one = pair(560.0, OMEGA, STEEL, 0.0405, 0.015, 0.154)
     found = compared(case[0], MATERIALS, 0.0405, 0.015, 2 * one.mass)["ADI"]
-    other = size_sectors(560.0, OMEGA, ADI, found.outer_radius, 0.015, 0.154)
+    other = pair(560.0, OMEGA, ADI, found.outer_radius, 0.015, 0.154)
     assert other.half_angle == pytest.approx(one.half_angle) and other.length == pytest.approx(one.length)
     assert 2 * other.mass == pytest.approx(found.eccentric_mass)
     assert found.bore_growth == pytest.approx(2 * (found.outer_radius - 0.0405))

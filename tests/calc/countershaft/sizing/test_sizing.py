@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from calc.countershaft.inputs import Extra
 from calc.countershaft.sizing import lengths
-from calc.countershaft.sizing.sectors import TooSmall, eccentric_masses, masses, pair_masses, pieces, size, size_sectors
+from calc.countershaft.sizing.sectors import TooSmall, eccentric_masses, masses, pair, pair_masses, pieces, size
 from calc.sheet.errors import NoSolution
 from calc.sheet.functions import root
 from calc.sheet.value import leaves, link_of, linked, trace
@@ -30,7 +30,7 @@ P = C / OMEGA**2 * cmath.rect(1, math.radians(30))
 )
 def test_envelopes_of_the_closed_form(R, r_0, z_max, u, gamma, b, z_c, e, m):
     """Figures of the closed form, worked out apart from this program; half a unit of the last digit."""
-    found = size_sectors(C, OMEGA, RHO, R * 1e-3, r_0 * 1e-3, z_max * 1e-3)
+    found = pair(C, OMEGA, RHO, R * 1e-3, r_0 * 1e-3, z_max * 1e-3)
     assert found.utilisation == pytest.approx(u, abs=5e-4)
     assert math.degrees(found.half_angle) == pytest.approx(gamma, abs=5e-3)
     assert found.length * 1e3 == pytest.approx(b, abs=5e-3)
@@ -44,22 +44,18 @@ def test_an_envelope_that_is_too_small():
     """R 40.2, core 15, ±152 mm: utilisation 1.037, at most 552.8 N·m.  What is said to be needed is then just
     enough."""
     with pytest.raises(TooSmall, match=r"552\.8 N·m at most .utilisation 1\.037") as caught:
-        size_sectors(C, OMEGA, RHO, 0.0402, 0.015, 0.152)
+        pair(C, OMEGA, RHO, 0.0402, 0.015, 0.152)
     none = caught.value
     assert none.possible_couple == pytest.approx(552.8, abs=0.05)
-    assert size_sectors(C, OMEGA, RHO, none.outer_radius * (1 + 1e-9), 0.015, 0.152).utilisation == pytest.approx(
-        1, abs=1e-7
-    )
-    assert size_sectors(C, OMEGA, RHO, 0.0402, 0.015, none.half_length * (1 + 1e-9)).utilisation == pytest.approx(
-        1, abs=1e-7
-    )
-    assert size_sectors(
+    assert pair(C, OMEGA, RHO, none.outer_radius * (1 + 1e-9), 0.015, 0.152).utilisation == pytest.approx(1, abs=1e-7)
+    assert pair(C, OMEGA, RHO, 0.0402, 0.015, none.half_length * (1 + 1e-9)).utilisation == pytest.approx(1, abs=1e-7)
+    assert pair(
         C - none.product * OMEGA**2 * (1 + 1e-9), OMEGA, RHO, 0.0402, 0.015, 0.152
     ).utilisation == pytest.approx(1, abs=1e-7)
     for stands in ("outer radius of 40.66 mm", "half-length of 154.8 mm", "bring 272.3 kg·mm²"):
         assert stands in none.advice
-    size_sectors(C, OMEGA, RHO, 0.04066, 0.015, 0.152)
-    size_sectors(C, OMEGA, RHO, 0.0402, 0.015, 0.1548)
+    pair(C, OMEGA, RHO, 0.04066, 0.015, 0.152)
+    pair(C, OMEGA, RHO, 0.0402, 0.015, 0.1548)
 
 
 def random_envelopes(count, seed):
@@ -86,11 +82,11 @@ def test_the_closed_form_is_the_least_of_a_search_over_half_angle_and_length():
         needed = C_i / (2 * rho * omega**2 * 2 / 3 * (R**3 - r_0**3) * b * (z_max - b / 2))  # sin γ
         if not np.any(needed <= 1):
             with pytest.raises(TooSmall):
-                size_sectors(C_i, omega, rho, R, r_0, z_max)
+                pair(C_i, omega, rho, R, r_0, z_max)
             continue
         fitting += 1
         least = np.nanmin(np.where(needed <= 1, rho * b * np.arcsin(np.minimum(needed, 1)) * (R**2 - r_0**2), np.inf))
-        found = size_sectors(C_i, omega, rho, R, r_0, z_max).mass
+        found = pair(C_i, omega, rho, R, r_0, z_max).mass
         assert found == pytest.approx(least, rel=1e-3) and found <= least * (1 + 1e-12)
     assert 50 < fitting < 180
 
@@ -101,22 +97,22 @@ def test_many_pairs_at_once():
     for row, mass in zip(rows.tolist(), many.tolist()):
         if math.isnan(mass):
             with pytest.raises(TooSmall):
-                size_sectors(*row)
+                pair(*row)
         else:
-            assert 2 * size_sectors(*row).mass == pytest.approx(mass, rel=1e-12)
+            assert 2 * pair(*row).mass == pytest.approx(mass, rel=1e-12)
     assert 50 < np.isnan(many).sum() < 250
 
 
 def test_no_couple_needs_no_mass():
     assert pair_masses(0.0, OMEGA, RHO, 0.043, 0.015, 0.152) == 0
-    assert size_sectors(1e-9, OMEGA, RHO, 0.043, 0.015, 0.152).mass < 1e-9
+    assert pair(1e-9, OMEGA, RHO, 0.043, 0.015, 0.152).mass < 1e-9
 
 
 @given(st.floats(1e-6, 1 - 1e-9))
 def test_the_half_angle_solves_its_equation(u):
     """At u of the largest couple: 2·q·sin γ/(1 + q)² = u/2."""
     z_max = 0.1
-    found = size_sectors(u * 2 / 3 * RHO * OMEGA**2 * 0.04**3 * z_max**2, OMEGA, RHO, 0.04, 0.0, z_max)
+    found = pair(u * 2 / 3 * RHO * OMEGA**2 * 0.04**3 * z_max**2, OMEGA, RHO, 0.04, 0.0, z_max)
     gamma = found.half_angle
     q = 1 - gamma / math.tan(gamma)
     assert 2 * q * math.sin(gamma) / (1 + q) ** 2 == pytest.approx(u / 2, rel=1e-9)
@@ -126,13 +122,11 @@ def test_the_half_angle_solves_its_equation(u):
 def test_a_gap_that_holds_no_two_fillets_is_closed():
     """Of an envelope that is nearly full: the same couple from sectors that meet, hardly heavier; a wider gap stays."""
     R, r_0, z_max, fillet = 0.043, 0.015, 0.15, 1.5e-3
-    C = 0.9999 * size_sectors(1.0, OMEGA, RHO, R, r_0, z_max).utilisation ** -1
-    open_, closed = (size_sectors(C, OMEGA, RHO, R, r_0, z_max, r) for r in (0.0, fillet))
+    C = 0.9999 * pair(1.0, OMEGA, RHO, R, r_0, z_max).utilisation ** -1
+    open_, closed = (pair(C, OMEGA, RHO, R, r_0, z_max, r) for r in (0.0, fillet))
     assert 0 < 2 * (z_max - open_.length) < 2 * fillet and closed.length == z_max
     assert closed.couple == pytest.approx(C, rel=1e-12) and open_.mass < closed.mass < open_.mass * 1.005
-    assert vars(size_sectors(0.99 * C, OMEGA, RHO, R, r_0, z_max, fillet)) == vars(
-        size_sectors(0.99 * C, OMEGA, RHO, R, r_0, z_max)
-    )
+    assert vars(pair(0.99 * C, OMEGA, RHO, R, r_0, z_max, fillet)) == vars(pair(0.99 * C, OMEGA, RHO, R, r_0, z_max))
 
 
 def test_the_gap_of_two_unlike_sectors_is_closed_too():

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.countershaft.sizing import multipliers as m
-from calc.countershaft.sizing.sectors import TooSmall, masses, size, size_sectors
+from calc.countershaft.sizing.sectors import TooSmall, masses, pair, size
 from calc.countershaft.sizing.stretches import gap_of, size_stretches, stretch_masses, stretches
 from calc.sheet.errors import NoSolution
 from calc.sheet.value import leaves, link_of, linked, trace
@@ -213,7 +213,7 @@ def test_a_pure_couple_beside_one_bearing_at_the_middle(u, gap):
     assert rear.length * (z_max - rear.length / 2) * math.sin(gamma) == pytest.approx(P / (2 * K), rel=1e-9)
     assert (front.mass, front.z) == pytest.approx((rear.mass, -rear.z), rel=1e-9)
     if half < z_max - rear.length - 1e-9:  # the gap does not reach the sectors: today's pair
-        assert found.mass == pytest.approx(2 * size_sectors(P * OMEGA**2, OMEGA, RHO, R, R_0, z_max).mass, rel=1e-9)
+        assert found.mass == pytest.approx(2 * pair(P * OMEGA**2, OMEGA, RHO, R, R_0, z_max).mass, rel=1e-9)
 
 
 @settings(max_examples=40, deadline=None)
