@@ -11,7 +11,7 @@ from dataclasses import MISSING, Field, field, fields, is_dataclass
 from difflib import get_close_matches
 from functools import cache
 from inspect import isabstract
-from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
+from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform, get_origin
 
 from .field_help import FieldHelp
 from .record import frozen, record, replace
@@ -596,7 +596,8 @@ def _shown(cls: type) -> tuple[tuple[str, Described | None, Group, Keyed | None]
 
 def results_of(content: object) -> tuple[type, ...]:
     """The classes of results that the type of a group stands for: itself, or of an abstract one those that are loaded
-    and answer to it."""
+    and answer to it.  Of one that may hold arrays, `Order[Value]`, the class."""
+    content = get_origin(content) or content
     if not isinstance(content, type):
         return ()
     found = content.__subclasses__() if isabstract(content) else [content]
