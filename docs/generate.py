@@ -4,7 +4,7 @@ of the code, the validation, the errata and the schemas of designs and results."
 
 import math
 import sys
-from contextlib import redirect_stdout
+from contextlib import chdir, redirect_stdout
 from importlib import import_module
 from io import StringIO
 from pathlib import Path
@@ -25,6 +25,7 @@ from calc.sheet.formula import FORMULAS, Equation, units  # noqa: E402
 from calc.sheet.number import short  # noqa: E402
 from calc.sheet.step import Table  # noqa: E402
 
+WIDE = 120  # columns of a block of code
 SHARED = ("shared", "What several steps use")
 HEAD = """# {title}
 
@@ -118,6 +119,22 @@ def spoken(*arguments: str) -> str:
     return out.getvalue()
 
 
+def console(line: str, *begin: str) -> str:
+    """A command as it is typed in a terminal, with its first line of output and those that begin so; … for others, and for
+    the end of a long one."""
+    with chdir(ROOT):
+        first, *others = spoken(*line.split()[1:]).splitlines()
+    shown, cut = [f"$ {line}", first], False
+    for said in others:
+        if said.lstrip().startswith(begin):
+            shown += ["…", said] if cut else [said]
+            cut = False
+        else:
+            cut = True
+    shown = [said if len(said) <= WIDE else f"{said[: said.rindex(' ', 0, WIDE - 2)].rstrip()} …" for said in shown]
+    return "\n".join(["```console", *shown, *["…"] * cut, "```"])
+
+
 def markdown_table(table: Table) -> str:
     """A table of results: its title, its columns with their units, its note."""
 
@@ -137,9 +154,7 @@ it, two shafts at twice its speed do, one with the crank and one against it. The
 
 ## One that was built
 
-```sh
-contralbero check designs/r754ie4_balance_shafts.toml
-```
+{check}
 
 ![The force of second order over speed, without the shafts and with them](pictures/pair_force.png)
 
@@ -206,7 +221,9 @@ def pair() -> str:
     text = engine_design("inline-4", "second", {f"engine.{key}": value for key, value in own.items()}, mounts=True)
     of_own = {id: value.shown for id, value in solve(design(parse(text.encode("utf-8"), "own"))).values().items()}
     force, left = "imbalance.order_2.force_peak", "countershaft.residual_order_2_force"
+    steps = ("Imbalance", "Balance shafts", "Bearings", "Friction")
     return PAIR.format(
+        check=console("contralbero check designs/r754ie4_balance_shafts.toml", *steps),
         whole=as_built[force],
         force=as_built["countershaft.left.force"],
         left=as_built[left],
@@ -263,9 +280,7 @@ at rated speed in hot oil, where two {ball_sizes} lose {ball_loss:.0f} W.
 
 ## The same shaft on ball bearings
 
-```sh
-contralbero check designs/r753ie4_rolling.toml --step bearings
-```
+{check}
 
 It is `r753ie4_sized.toml` with other bearings: {size} at both ends, of which that beside the gear locates it, the rear one in a flange through which the shaft comes in.
 
@@ -338,7 +353,11 @@ def plain_or_rolling() -> str:
     def printed(name: str) -> str:
         return markdown_table(tables[name])
 
+    lives = tuple(
+        f"bearings.{end}.{what} " for end in ("front", "rear") for what in ("life", "friction_power", "clearance")
+    )
     return PLAIN_OR_ROLLING.format(
+        check=console("contralbero check designs/r753ie4_rolling.toml --step bearings", *lives),
         heads=" | ".join(f"{n:.0f} rpm" for n in speeds),
         rule="|".join("---" for _ in speeds),
         rows="\n".join(rows),
@@ -366,9 +385,7 @@ The wheels of a balance shaft carry next to nothing: the friction of the shaft, 
 not turn evenly. So the flanks part, cross the backlash and strike, several times a cycle. At idle, where nothing else is loud, one hears it; at full load it is
 what the teeth have to bear. Made by `python docs/generate.py` from the train of the R753IE4 (γ), with gas and flywheel as is usual, not measured:
 
-```sh
-contralbero check designs/r753ie4_drive_over_speed.toml --step gears
-```
+{check}
 
 ## One cycle at idle
 
@@ -478,7 +495,11 @@ def rattle() -> str:
     )
     wheels = ("crank", "central", "idler", "shaft")
     exact = values(**{f"gears__wheels__{i}__runout_um": 0.0 for i in range(len(wheels))})
+    at_idle = tuple(f"{last}.idle.{what} " for what in ("separation", "impact_speed", "impacts", "backlash_share"))
     return RATTLE.format(
+        check=console(
+            "contralbero check designs/r753ie4_drive_over_speed.toml --step gears", "Rattle at idle", *at_idle
+        ),
         default=values(engine__flywheel_inertia_kgm2=None)[speed],
         backlash=sum(of[f"gears.{mesh}.backlash_nominal"] for mesh in meshes)
         / math.cos(math.radians(of["gears.base_helix_angle"])),
