@@ -15,19 +15,16 @@ from calc.sheet.shown import NO_PANDAS
 from tests.conftest import ROOT
 
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
-BLOCK = re.compile(r"(?:^    .*\n|^\n(?=\n*    ))+", re.MULTILINE)
+BLOCK = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 CALL = re.compile(r"^\| `([^`]+\([^`]+)` \|", re.MULTILINE)  # of a table of calls
 NOTEBOOK = ROOT / "docs" / "notebook.ipynb"
 
 
 def blocks(path: Path) -> list[str]:
     """The blocks of a page that are Python; a script, which runs by itself, is one of its own."""
-    found = [
-        re.sub("^    ", "", block, flags=re.MULTILINE) for block in BLOCK.findall(path.read_text(encoding="utf-8"))
-    ]
     return [
         block.strip() + "\n"
-        for block in found
+        for block in BLOCK.findall(path.read_text(encoding="utf-8"))
         if re.search(r"^(?:from|import) .*\bimport\b|^import ", block, re.MULTILINE)
     ]
 
