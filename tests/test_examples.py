@@ -93,7 +93,7 @@ def test_the_notebook_runs(tmp_path, monkeypatch):
 @pytest.mark.slow
 def test_the_type_checker_takes_every_example_and_sees_a_mistake(tmp_path):
     mistakes = {
-        "name": ("solve_film(diameter", "solve_flim(diameter", "solve_flim"),
+        "name": ("return solve_film(", "return solve_flim(", "solve_flim"),
         "argument": ("length=0.0275, ", "", 'No overload variant of "solve_film"'),
         "result": ("film.film.max()", "film.flim.max()", "flim"),
         "step": (".bearings\n", ".gears\n", "TrainResult"),
