@@ -115,7 +115,11 @@ ENGINE, BEARINGS = "table to take it from", "where there is no [bearings] table"
             {"imbalance.crank_bodies_throw_at_tdc": "from 1 to 3"},
         ),
         ("r753ie4_gamma", {"gears.wheels.crank.position_mm": [1, 0]}, {"gears.wheels.0.position_mm": "must be [0, 0]"}),
-        ("r753ie4_gamma", {"engine": None}, {"bearings.speed_rpm": ENGINE, "gears.speed_rpm": ENGINE}),
+        (
+            "r753ie4_gamma",
+            {"engine": None, "measured": None},
+            {"bearings.speed_rpm": ENGINE, "gears.speed_rpm": ENGINE},
+        ),
         (
             "r753ie4_gamma",
             {"bearings": None},
