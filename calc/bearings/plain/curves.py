@@ -58,6 +58,9 @@ def in_films(found: BearingsResult) -> Iterator[Curve]:
     yield Curve("in_films", title, axis_label("from mid-shaft", "mm"), axis_label("way of the axis", "µm"), series)
 
 
+SAME = 1e-3  # relative: oil that is no other
+
+
 def _over_speed(place: str, r: PlainResult) -> Curve:
     rpm, film = np.array(r.sweep.speeds) * 60, np.array(r.sweep.films) * 1e6
     edge = (r.film - r.film_edge) * 1e6
@@ -72,6 +75,8 @@ def _over_speed(place: str, r: PlainResult) -> Curve:
         "Smallest film of the {place} bearing over speed, warm; corners of its tolerances at the edge",
         place=called(place),
     )
+    if _other_oil(r):
+        title = Text("{title}. Curves: the bench run's oil; point: the oil that is supplied", title=title)
     return Curve(
         f"film_{place}",
         title,
@@ -84,6 +89,17 @@ def _over_speed(place: str, r: PlainResult) -> Curve:
         band=band,
         short=1,
     )
+
+
+def _other_oil(r: PlainResult) -> bool:
+    """Whether the oil over the speeds is another one at the speed of the design than that which is supplied there."""
+    order = np.argsort(r.sweep.speeds)
+    taken = r.duty.supply_temperature, r.duty.supply_pressure
+    for x, values in zip(taken, (r.sweep.temperatures, r.sweep.pressures)):
+        there = np.interp(r.duty.speed, np.array(r.sweep.speeds)[order], np.array(values)[order])
+        if abs(there - x) > SAME * abs(x):
+            return True
+    return False
 
 
 def _films_at_corners(r: PlainResult) -> Array:
