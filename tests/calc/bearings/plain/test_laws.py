@@ -24,7 +24,7 @@ from calc.bearings.plain.solve import solve_film
 from calc.countershaft.rows import BearingRow
 from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant
-from calc.sheet.errors import NoSolution
+from calc.sheet.errors import BadInput, NoSolution
 
 OILS = sorted(oils())
 eccentricities, ratios = st.floats(0.03, 0.97), st.floats(0.1, 2.0)
@@ -264,7 +264,7 @@ def test_in_thermal_balance_more_load_means_less_film(asked, more):
             solve_film(load=F, supply_temperature=T, **said)
             for F, T in ((duty.load, 60.0), (duty.load * more, 60.0), (duty.load, 60.0 + 20 * (more - 1)))
         )
-    except NoSolution:
+    except (NoSolution, BadInput):  # a load larger than any in a file
         assume(False)
     assert heavy.film < light.film and heavy.friction_power > light.friction_power
     assert hot.film < light.film and hot.oil.mu < light.oil.mu
