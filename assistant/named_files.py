@@ -44,7 +44,7 @@ def files_of(names: Sequence[str]) -> list[str]:
     BadInput for a folder without any."""
     files: list[str] = []
     for name in names:
-        if name == STANDARD or not Path(name).is_dir():
+        if name == STANDARD or not os.path.isdir(name):  # a name that can not be is no folder
             files.append(name)
             continue
         inside = sorted(str(path) for path in Path(name).glob("*.toml"))
@@ -102,7 +102,7 @@ def is_folder(name: str, several: bool) -> bool:
     too."""
     if name == STANDARD:
         return False
-    return name.endswith(("/", os.sep)) or Path(name).is_dir() or (several and not Path(name).suffix)
+    return name.endswith(("/", os.sep)) or os.path.isdir(name) or (several and not Path(name).suffix)
 
 
 def targets_in(folder: str | None, files: Sequence[str], tail: str) -> dict[str, str]:

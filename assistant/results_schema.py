@@ -101,6 +101,7 @@ def results_schema() -> Schema:
                     "failed": _count("Limits that fail."),
                     "not_verified": _count("Limits that can not be judged by what is given."),
                     "cautions": _count("Cautions that are open."),
+                    "cautions_held": _count("Cautions that hold."),
                     "narrow": _count("Limits that hold by less than 5 % of their scale."),
                     "accepted": _count("Findings that the user has accepted, with a reason."),
                     "advice": _count("Advice that is open."),

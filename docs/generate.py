@@ -402,7 +402,7 @@ mesh of γ then
 ![The way of the shaft's wheel between its flanks over two turns of the crank at idle](pictures/strikes_cycle.png)
 
 While it strikes, a tooth carries some {low:.1f} to {high:.1f} kN; while it drives, at rated speed, {mean:.0f} N. That is where the strength of such a train is decided, not by its mean torque.
-The largest force of a strike at the 12 speeds and 3 loads that are judged is that at {hard_n:.0f} rpm at full load, {hard_u:.0f} mm/s and some {hard_low:.1f} to {hard_high:.1f} kN: safety against pitting {S_H_low:.2f} with the low force and
+The largest force of a strike at the 12 speeds and 3 loads that are judged is that at {hard_n:.0f} rpm at full load, {hard_u:.0f} mm/s and some {hard_low:.1f} to {hard_high:.1f} kN. It leaves a safety against pitting of {S_H_low:.2f} with the low force and
 {S_H:.2f} with the high one, against breakage {S_F_low:.2f}.
 
 ![The hardest strike over speed: without load, at half load and at full load](pictures/strikes_speed.png)

@@ -5,7 +5,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator
 
-from calc.design.model import STEPS, Design
+from calc.design.model import SCHEMA, STEPS, Design
 from calc.design.toml_file import load_design
 from calc.sheet.check import RULES
 from calc.sheet.number import short
@@ -123,6 +123,9 @@ def _entry(path: str, entry: Key, read: set[str], moved: list[str]) -> str:
     if about.help:
         lines.append(_sentence(plain(about.help)))
     lines.append(f"\n- Allowed: {plain(about.allowed())}.")
+    if about.catalogue:
+        shipped = getattr(Design(schema=SCHEMA, name=""), about.catalogue)
+        lines.append("- Shipped: " + ", ".join(f'`"{name}"`' for name in shipped) + ".")
     lines.append(f"- {_left_out(entry)}")
     if about.usual:
         source = f" ({plain(about.source)})" if about.source else ""

@@ -179,7 +179,7 @@ def _no_proof(why: Text, evaluations: int) -> Text:
 
 def _search(given: Namespace, problem: Problem) -> int:
     folder = Path(given.out)
-    if folder.exists() and not folder.is_dir():
+    if os.path.exists(folder) and not os.path.isdir(folder):
         raise BadInput(str(folder), [InputError(0, "--out", "", Text("is a file; give the name of a folder"))])
     if os.path.isdir(folder):
         _spare_others(folder, Path(given.file))

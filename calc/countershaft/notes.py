@@ -58,7 +58,7 @@ def tight_fillet_note(bent: Bending) -> Text | None:
         return None
     return Text(
         "The outline as put together leaves {room} for each fillet where two shoulders are nearest, less than the "
-        "{fillet} of fillet_radius_mm: not judged, since their places are assumed; give [[shafts.sections]].",
+        "{fillet} of the fillet that is given: not judged, since their places are assumed; give the sections.",
         room=Amount(bent.fillet_room * 1e3, "mm", digits=2),
         fillet=Amount(bent.fillet * 1e3, "mm"),
     )

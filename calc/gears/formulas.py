@@ -326,6 +326,7 @@ def working_involute(alpha_t: Radian, alpha_n: Radian, x_1: Number, x_2: Number,
     "α_y",
     "mathematics: pressure angle of an involute, by Newton's method from inv α = tan α − α",
     shows="the angle whose involute is given: tan α − α = inv α",
+    names={"involute": "inv α"},
 )
 def angle_of_involute(involute: Number) -> Radian:
     """The root of t − arctan t = inv α in t = tan α; from a start above it the iteration falls steadily.

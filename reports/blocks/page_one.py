@@ -19,7 +19,7 @@ from calc.studies.repair.nearest import nearest
 
 from ..context import Context
 from ..typesetting.fonts import BOLD, WIDTH
-from ..typesetting.pagination import Block, TextContent, composed, heading, paginate, paragraph
+from ..typesetting.pagination import Block, TextContent, composed, heading, paragraph
 from ..typesetting.prose import BODY, CELL, SECTION, STRONG, Style, lines, one_line
 from ..typesetting.tables import Cell, Column, Row, table
 from .checks import counted, name_of, not_given, shown_value
@@ -34,7 +34,6 @@ LABEL = 78.0  # of the column that says what a line is about
 GAP = 5.0  # above a heading of this page
 LEFT = 3  # of what is not mended
 LONGEST = 500  # characters of purpose, of scope
-FEWEST = 8  # key results that are worth a place on the page
 MOST = 8  # failures, or what is not verified, by their causes: the others are counted
 
 
@@ -72,8 +71,7 @@ def mended(context: Context) -> Mended | None:
 
 
 def page_one(context: Context, repair: Mended | None) -> list[Block]:
-    """All of it, with as many of its key results as there is room for; in an engineer's report all of them where that
-    is few."""
+    """All of it; in a summary as many of its key results as there is room for."""
     w = context.words
     blocks = title_blocks(context)
     blocks += _purpose(context)
@@ -86,16 +84,10 @@ def page_one(context: Context, repair: Mended | None) -> list[Block]:
     for count in range(len(rows), 0, -1):
         whole = _headed(w["key_results"], paired_table(context, "", rows[:count]))
         if count < len(rows):
-            key = "more_proposals" if context.depth == "summary" else "more_values"
-            whole += paragraph(context.text(key, count=len(rows) - count), CELL, gap=1.0)
-        fits = len(composed(blocks + whole)) if context.depth == "summary" else len(paginate(blocks + whole))
-        if fits == 1:
+            whole += paragraph(context.text("more_proposals", count=len(rows) - count), CELL, gap=1.0)
+        if context.depth != "summary" or len(composed(blocks + whole)) == 1:
             return blocks + whole
-        if context.depth != "summary" and count <= FEWEST:
-            break
-    if context.depth == "summary" or not rows:
-        return blocks
-    return blocks + _headed(w["key_results"], paired_table(context, "", rows))
+    return blocks
 
 
 def _headed(title: str, blocks: list[Block]) -> list[Block]:
@@ -217,20 +209,21 @@ def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
     """The results that a design is known by, each by its worst part; the safeties of the teeth are those of the load
     that governs, which is named beside them."""
     rows: list[tuple[str | Cell, ...]] = []
+    first: list[tuple[str | Cell, ...]] = []  # the safeties that strikes govern: they stand where there is little room
     strikes = governing_safeties(context.results)
     for value in key_results(context.values).values():
         struck = strikes.get(value.symbol)
         name = context.say(value.label if struck is None else struck.label)
         whose = ", ".join(context.belongs(value.id if struck is None else struck.high.id))
         name = f"{name}, {whose}" if whose and not knows(name, whose) else name
-        rows.append(
+        (rows if struck is None else first).append(
             (
                 name,
                 context.written(value.shown, "") if struck is None else context.say(struck.words),
                 value.unit,
             )
         )
-    return rows
+    return [*first, *rows]
 
 
 # --- the verdict

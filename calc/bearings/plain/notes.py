@@ -206,7 +206,7 @@ def _on_shaft(results: Mapping[str, PlainResult], shaft: CountershaftResult | No
         if r.seat.bearing.slope is not None and edge is not None and edge < r.kreisle_film:
             yield Text(
                 "{place} bearing: the slope that is given is judged, not the tilt; with that the film at the edge is "
-                "{edge}, less than the {least} that it needs. Leave slope_mrad out and it is judged.",
+                "{edge}, less than the {least} that it needs. Leave that slope out and it is judged.",
                 place=titled(place),
                 edge=Amount(edge * 1e6, "µm"),
                 least=Amount(r.kreisle_film * 1e6, "µm"),
