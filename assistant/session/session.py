@@ -61,6 +61,7 @@ class Session(Editing):
         self.seconds, self.failure = 0.0, EMPTY
         self.solved = 0  # the generation of the results
         self._ahead: tuple[int, Results | None] = (0, None)  # verdicts ahead of the results, and their generation
+        self.seconds_ahead = 0.0  # that they took
         self.autosaved: datetime | None = None
         self.autosave_failure = EMPTY
         self._keeping = threading.Lock()  # edits are kept in another thread than they are made and saved in
@@ -336,7 +337,7 @@ class Session(Editing):
         if answer.generation != self.generation or (self.errors and self.results is not None):
             return False
         if answer.brief:  # where it failed, the whole says why
-            self._ahead = answer.generation, answer.results
+            self._ahead, self.seconds_ahead = (answer.generation, answer.results), answer.seconds
             return True
         if not self.errors:
             self.solved = answer.generation

@@ -280,6 +280,8 @@ class TopLine(Widget):
         dim = "dim " if session.results is not None and not session.judged and not unsolved else ""
         if unsolved:
             time = ""  # the words of the state say it
+        elif session.judged and not session.current:
+            time = say(Text("judged in {time}", time=Amount(session.seconds_ahead * 1000, "ms", form=".0f")))
         elif self.slow or not session.current:
             time = f"{signs.mark('solving')} {say(Text('solving'))}"
         else:
