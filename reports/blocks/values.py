@@ -124,7 +124,7 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["id"]),
     )
     together = groupby(part.values.values(), lambda v: (v.symbol.partition("_")[0], v.unit) if v.symbol else v.id)
-    written = [text for _, some in together for text in in_column(context, [v.shown for v in some], 0)]
+    written = [text for _, some in together for text in _of_one_symbol(context, [v.shown for v in some])]
     rows = [
         (name, _symbol(context, v), text, v.unit, Cell(context.whole_id(v.id), KEY))
         for (v, name), text in zip(_named(context, part.values.values()), written)
@@ -236,6 +236,15 @@ def _cell(cell: str | float | None, texts: Iterator[str]) -> Cell:
     if cell is None:
         return Cell()
     return Cell(cell, align="l") if isinstance(cell, str) else Cell(next(texts), align="r")
+
+
+def _of_one_symbol(context: Context, numbers: list[float]) -> list[str]:
+    """Neighbours of one size with the same decimals; others, and those of more digits than are shown, each as it is
+    said elsewhere."""
+    sizes = [abs(x) for x in numbers]
+    if len(numbers) > 1 and max(sizes) < 10 * min(sizes) and max(sizes) < 10**DIGITS:
+        return in_column(context, numbers, 0)
+    return [context.written(x) for x in numbers]
 
 
 def in_column(context: Context, numbers: Sequence[float | None], beyond: int = 3) -> list[str]:
