@@ -292,8 +292,7 @@ def test_where_there_is_no_map(tmp_path, capsys, path, kind, words):
 @pytest.mark.parametrize("arguments", [("export", str(GAMMA), "--dxf", "-o", "x.dxf"), ("serve", str(GAMMA))])
 def test_an_extra_that_is_not_installed_is_named(capsys, arguments, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    for module in ("assistant.session.exporting", "assistant.commands.session"):
-        monkeypatch.setattr(f"{module}.find_spec", lambda name: None)
+    monkeypatch.setattr("assistant.extras.find_spec", lambda name: None)
     assert main([*arguments]) == 2
     extra = "dxf" if arguments[0] == "export" else "serve"
     assert f"pip install 'contralbero[{extra}]'" in capsys.readouterr().err and not list(tmp_path.iterdir())

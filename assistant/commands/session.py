@@ -7,9 +7,9 @@ import os
 import socket
 import sys
 from argparse import Namespace
-from importlib.util import find_spec
 from pathlib import Path
 
+from assistant.extras import demand
 from calc.design.limits import HOST
 from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput, InputError
@@ -17,9 +17,7 @@ from calc.sheet.text import Text
 
 
 def run_serve(asked: Namespace) -> int:
-    if find_spec("textual_serve") is None:
-        reason = Text("needs the extra `serve`: pip install 'contralbero[serve]'")
-        raise BadInput("contralbero", [InputError(0, "serve", "", reason)])
+    demand("serve", "textual_serve", "serve")
     from ..server import Local
 
     path = None

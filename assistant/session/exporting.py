@@ -6,11 +6,11 @@ import csv
 import json
 import math
 from collections.abc import Iterable, Sequence
-from importlib.util import find_spec
 from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from assistant.extras import demand
 from assistant.results_text import results_json
 from assistant.session.saving import Draft, write_asked
 from calc.countershaft.result import CountershaftResult
@@ -125,17 +125,10 @@ def _csv(header: Sequence[str], numbers: Iterable[Sequence[float]]) -> str:
     return file.getvalue()
 
 
-def _needs_ezdxf() -> None:
-    """Raises BadInput where it is not installed."""
-    if find_spec("ezdxf") is None:
-        reason = Text("needs the extra `dxf`: pip install 'contralbero[dxf]'")
-        raise BadInput("contralbero", [InputError(0, "dxf", "", reason)])
-
-
 def drawing_text(document: Document, results: Results, name: str = "") -> str:
     """The shaft in view as a DXF file; `name`: of one of several.  Raises BadInput where its outline is not known, with
     what to add."""
-    _needs_ezdxf()
+    demand("dxf", "ezdxf", "dxf")
     shaft, outcome = results.design.countershaft, results.outcomes["countershaft"]
     key = dotted(Design.shafts, name) if name else "countershaft"
     if shaft is None:
@@ -179,7 +172,7 @@ def drawing_text(document: Document, results: Results, name: str = "") -> str:
 
 def gears_text(document: Document, results: Results, wheel: str | None = None, chord_error: float | None = None) -> str:
     """One wheel with its teeth and its sheet, or the whole train, as a DXF file.  `chord_error` in µm."""
-    _needs_ezdxf()
+    demand("dxf", "ezdxf", "dxf")
     train, gears, name = _train(document, results, wheel), results.design.gears, results.design.name
     error = CHORD_ERROR if chord_error is None else chord_error * 1e-6
     if wheel is not None:

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What an extra installs, and a command asks for."""
+
+from importlib.util import find_spec
+
+from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import Text
+
+
+def demand(extra: str, module: str, place: str) -> None:
+    """Raises BadInput where the module of an extra is not installed; `place`: what asked for it."""
+    if find_spec(module) is None:
+        reason = Text("needs the extra `{extra}`: pip install 'contralbero[{extra}]'", extra=extra)
+        raise BadInput("contralbero", [InputError(0, place, "", reason)])
