@@ -99,8 +99,8 @@ ACTIONS: tuple[Action, ...] = (
     Action("report", "f8", "p", Text("PDF"), Text("PDF report"), Text("Writes the calculation report beside the "
                                                                       "design file.")),
     Action("export", "", "E", EMPTY, Text("Export …"),
-           Text("Writes a drawing of the shaft or the gears (.dxf), the values (.csv), all results (.json) or the "
-                "report (.pdf). In the list of remedies: its rows as a table.")),
+           Text("Lists the files that a design can be written to, for other programs and the shop, and writes one. In "
+                "the list of remedies: its rows as a table.")),
     Action("curve", "f9", "c", Text("Plot"), Text("Next curve"),
            Text("Shows the next curve of the step; after the curves its tables. In the pane itself Space does so too."),
            call=("turn_curve", 1)),

@@ -7,8 +7,15 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 
 
+def missing(extra: str, module: str, place: str) -> InputError | None:
+    """That the module of an extra is not installed, and how it is; `place`: what asked for it."""
+    if find_spec(module) is not None:
+        return None
+    reason = Text("needs the extra `{extra}`: pip install 'contralbero[{extra}]'", extra=extra)
+    return InputError(0, place, "", reason)
+
+
 def demand(extra: str, module: str, place: str) -> None:
-    """Raises BadInput where the module of an extra is not installed; `place`: what asked for it."""
-    if find_spec(module) is None:
-        reason = Text("needs the extra `{extra}`: pip install 'contralbero[{extra}]'", extra=extra)
-        raise BadInput("contralbero", [InputError(0, place, "", reason)])
+    """Raises BadInput where the module of an extra is not installed."""
+    if (lacking := missing(extra, module, place)) is not None:
+        raise BadInput("contralbero", [lacking])

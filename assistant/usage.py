@@ -297,36 +297,39 @@ def sweep(it: argparse.ArgumentParser) -> None:
     )
 
 
-@command("report", "results as JSON or CSV, the shaft or the gears as a DXF drawing")
+@command("export", "a file for other programs or the shop: values, results, drawings")
 def export(it: argparse.ArgumentParser) -> None:
+    from .exports.kinds import KINDS  # with texts, which no other command needs to be understood
+
     it.add_argument("file")
-    kinds = it.add_mutually_exclusive_group()
-    kinds.add_argument("--dxf", action="store_const", const="dxf", dest="kind", help="the shaft, or the gears, in mm")
-    kinds.add_argument(
-        "--csv", action="store_const", const="csv", dest="kind", help="the values, a row each; checks stand in --json"
-    )
-    kinds.add_argument("--json", action="store_const", const="json", dest="kind", help="the object of check --json")
-    drawn = it.add_mutually_exclusive_group()
-    drawn.add_argument("--gear", metavar="WHEEL", help="draw this wheel, with its table of data, instead of the shaft")
-    drawn.add_argument(
+    group = it.add_argument_group("kinds of files").add_mutually_exclusive_group()
+    for kind in KINDS.values():
+        group.add_argument(
+            f"--{kind.name}",
+            action="store_const",
+            const=kind.name,
+            dest="kind",
+            help=f"{kind.what} ({', '.join(f'.{ending}' for ending in kind.endings)})",
+        )
+    drawn = it.add_argument_group("of a drawing (--dxf)")
+    which = drawn.add_mutually_exclusive_group()
+    which.add_argument("--gear", metavar="WHEEL", help="draw this wheel, with its table of data, instead of the shaft")
+    which.add_argument(
         "--gears", action="store_true", help="draw the whole train; so does --dxf where a design has no shaft"
     )
-    it.add_argument(
+    drawn.add_argument(
         "--chord-error",
         type=float,
         metavar="UM",
         help="how far a tooth's straight pieces may stand off (default: 1 µm)",
     )
-    beside = it.add_mutually_exclusive_group()
-    beside.add_argument(
-        "--transfer", action="store_true", help="the transfer functions of the mounts instead of the values (--csv)"
-    )
-    beside.add_argument(
-        "--map", action="store_true", help="the strikes of the gears over speed and load instead of the values (--csv)"
-    )
+    instead = it.add_argument_group("instead of the values (--csv)").add_mutually_exclusive_group()
+    instead.add_argument("--transfer", action="store_true", help="the transfer functions of the mounts")
+    instead.add_argument("--map", action="store_true", help="the strikes of the gears over speed and load")
     output_option(
-        it, "PATH", "the file; without a format its ending decides; -: standard output, with a format", required=True
+        it, "PATH", "the file; without a kind its ending decides; -: standard output, with a kind", required=True
     )
+    it.add_argument("--lang", choices=LANGUAGES, default="en", help="of words in the file (default: %(default)s)")
     quiet_option(it, "print the names of the files alone")
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from assistant.session.exporting import gears_text
+from assistant.exports.kinds import Request
 from bench.film import best
 from calc.design.toml_file import design, read
 from calc.gears import solve as gears
@@ -65,7 +65,10 @@ def main() -> None:
         ("geometry of the train", best(lambda: gears.geometry(train, speed), 20)),
         ("rating of the train", best(lambda: gears.rating(train, solved, TORQUE, known), 20)),
         ("all teeth of a wheel", best(lambda: repeated(tooth(system, wheel), wheel.teeth), 20)),
-        ("its drawing file", best(lambda: gears_text(document, results, "idler"), 1, 3)),
+        (
+            "its drawing file",
+            best(lambda: made(Request(Path("idler.dxf"), document, results, {"gear": "idler"})), 1, 3),
+        ),
         (f"{MANY} combinations of shifts and cuts, judged, all", vectorised * MANY),
         ("the same, per combination", vectorised),
         ("one after the other, per combination", loop),

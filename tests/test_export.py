@@ -206,8 +206,8 @@ def test_positions_that_the_layout_finds_are_drawn(capsys, tmp_path):
     "arguments, said",
     [
         (("--gear", "nobody", "-o", "o.dxf"), "the wheels are crank, central, idler, shaft"),
-        (("--gear", "idler", "-o", "o.csv"), "is for a drawing"),
-        (("--gears", "--json", "-o", "o.json"), "is for a drawing"),
+        (("--gear", "idler", "-o", "o.csv"), "is for --dxf"),
+        (("--gears", "--json", "-o", "o.json"), "is for --dxf"),
         (("--gear", "idler", "--chord-error", "0", "-o", "o.dxf"), "must lie between"),
         (("--gear", "idler", "--chord-error", "nan", "-o", "o.dxf"), "must lie between"),
         (("--gear", "idler", "--chord-error", "few", "-o", "o.dxf"), "invalid float"),
@@ -283,7 +283,7 @@ def test_the_map_has_a_row_for_each_speed_and_load(tmp_path, gamma_results):
         assert float(rows[0][f"idler_shaft.{name}"]) == pytest.approx(published, rel=1e-6)
 
 
-@pytest.mark.parametrize(("path", "kind", "words"), [(ALPHA, "csv", "needed"), (GAMMA, "json", "is for a table")])
+@pytest.mark.parametrize(("path", "kind", "words"), [(ALPHA, "csv", "needed"), (GAMMA, "json", "is for --csv")])
 def test_where_there_is_no_map(tmp_path, capsys, path, kind, words):
     assert main(["export", str(path), "--map", "-o", str(tmp_path / f"map.{kind}")]) == 2
     assert words in capsys.readouterr().err

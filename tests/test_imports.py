@@ -136,6 +136,7 @@ ROOMS = (
     "mounting",
     "design",
     "solve",
+    "exchange",
     "studies",
 )
 

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero report` and `export`: what leaves a design as a file.
-
-report: the calculation report as a PDF or as a Word document, and the verdicts on the screen.  export: the results as
-JSON or CSV, the shaft or the gears as a DXF drawing."""
+"""`contralbero report`: the calculation report as a PDF or as a Word document, and the verdicts on the screen."""
 
 import sys
 from argparse import Namespace
@@ -24,14 +21,13 @@ from assistant.named_files import (
     targets_in,
 )
 from assistant.results_text import print_summary
-from assistant.session.exporting import KINDS, drawings, draws_gears, exported, gears_text, map_text, transfer_text
 from assistant.session.saving import spare
 from calc.design.disk import read_file
 from calc.design.limits import FRONT_BYTES
 from calc.design.toml_file import Document, design
 from calc.sheet.errors import BadInput, InputError
-from calc.sheet.text import COMMA, Amount, Text
-from calc.solve import Results, solve
+from calc.sheet.text import Text
+from calc.solve import solve
 from calc.studies.drive.front import NAME, Broken, picked
 
 ENDINGS = ("pdf", "docx")
@@ -143,93 +139,3 @@ def _demand_docx(asked: Namespace) -> None:
 
 
 # --- contralbero export
-
-FINEST, COARSEST = 1e-3, 1e3  # chord error, µm: below, the file grows without use; above, no tooth is left
-
-
-def run_export(asked: Namespace) -> int:
-    target = Path(asked.output)
-    to_standard = asked.output == STANDARD
-    kind = asked.kind or target.suffix.lower().removeprefix(".")
-    document = read_design(asked.file)
-    if not to_standard:
-        spare(target, asked.file)
-    wrong = _target_errors(kind, target) + _drawing_errors(asked, kind)
-    try:
-        parsed = design(document)
-    except BadInput as bad:
-        raise BadInput(document.place, wrong + bad.errors) from None
-    if wrong:
-        raise BadInput("contralbero export", wrong)
-    results = solve(parsed)
-    if asked.transfer:
-        files = {target: transfer_text(document, results)}
-    elif asked.map:
-        files = {target: map_text(document, results)}
-    elif kind == "dxf":
-        files = _drawings(asked, document, results)
-    else:
-        files = exported(target.with_name(f"{target.name}.{kind}") if to_standard else target, document, results)
-    if to_standard:
-        if len(files) > 1:
-            reason = Text("takes one drawing, and this design has {n} shafts; give a file", n=len(files))
-            raise BadInput("contralbero export", [InputError(0, "-o", STANDARD, reason)])
-        put(STANDARD, next(iter(files.values())))
-        with spoken(STANDARD):
-            if not asked.quiet:
-                print_summary(results)
-        return 0
-    for path, text in files.items():
-        put(str(path), text, [asked.file])
-    if not asked.quiet:
-        print_summary(results)
-        print()
-    print(*files, sep="\n")
-    return 0
-
-
-def _target_errors(kind: str, target: Path) -> list[InputError]:
-    """What is wrong with the file that was asked for: its ending says what stands in it."""
-    known = COMMA.join(Text(".{kind} ({what})", kind=name, what=what) for name, what in KINDS.items())
-    ending = target.suffix
-    if str(target) == STANDARD and kind not in KINDS:
-        return [InputError(0, "-o", STANDARD, Text("has no ending; give --json, --csv or --dxf"))]
-    if kind not in KINDS:
-        fault = Text("the ending {ending} is not known", ending=ending) if ending else Text("has no ending")
-        return [InputError(0, "-o", str(target), Text("{fault}; known are {endings}", fault=fault, endings=known))]
-    if str(target) != STANDARD and ending.lower() != f".{kind}":
-        fault = Text("ends in {ending}", ending=ending) if ending else Text("has no ending")
-        return [InputError(0, "-o", str(target), Text("{fault}, but --{kind} writes .{kind}", fault=fault, kind=kind))]
-    return []
-
-
-def _drawing_errors(asked: Namespace, kind: str) -> list[InputError]:
-    """What is wrong with the options of a drawing."""
-    of_drawings = {"--gear": asked.gear, "--gears": asked.gears or None, "--chord-error": asked.chord_error}
-    errors = []
-    if kind in KINDS and kind != "dxf":
-        reason = Text("is for a drawing (--dxf), not for .{kind}", kind=kind)
-        errors = [InputError(0, key, "", reason) for key, what in of_drawings.items() if what is not None]
-    for key, given in (("--transfer", asked.transfer), ("--map", asked.map)):
-        if given and kind != "csv":
-            errors.append(InputError(0, key, "", Text("is for a table (--csv), not for .{kind}", kind=kind)))
-    error = asked.chord_error
-    if error is not None and not FINEST <= error <= COARSEST:
-        reason = Text(
-            "must lie between {finest} and {coarsest}", finest=Amount(FINEST), coarsest=Amount(COARSEST, "µm")
-        )
-        errors.append(InputError(0, "--chord-error", f"{error:g}", reason))
-    return errors
-
-
-def _drawings(asked: Namespace, document: Document, results: Results) -> dict[Path, str]:
-    """The shafts, or the gears where they are asked for or are all there is."""
-    target = Path(asked.output)
-    if asked.gear is not None or asked.gears or draws_gears(results):
-        return {target: gears_text(document, results, asked.gear, asked.chord_error)}
-    if asked.chord_error is not None:
-        raise BadInput(
-            "contralbero export",
-            [InputError(0, "--chord-error", "", Text("is for gears: ask for --gear WHEEL or --gears"))],
-        )
-    return drawings(target, document, results)

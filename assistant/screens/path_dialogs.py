@@ -4,6 +4,7 @@
 Where a path is typed, the designs of the folder stand below, and a line says what is wrong."""
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar, TypeVar
 
@@ -18,11 +19,12 @@ from textual.widgets.input import Selection
 from textual.widgets.option_list import Option
 
 from calc.sheet.errors import BadInput
-from calc.sheet.text import EMPTY, Text
+from calc.sheet.text import EMPTY, Name, Text
 from calc.studies.shipped import designs, shipped_name
 
 from ..actions import bound
 from ..base_app import BaseApp
+from ..exports.offered import FileRow
 from ..session.beginnings import Beginning, blank, engine_only, own_file
 from ..session.compare_with import Chosen, Other, kept, of_file, of_session, past
 from ..session.recovery import Memory
@@ -384,31 +386,49 @@ class RecordDialog(TargetDialog):
 
 
 class ExportDialog(TargetDialog):
-    """Gives the path to export to; its ending says what."""
+    """Gives the path to export to, and what; a row of the list gives its name to the file, an ending that is typed
+    chooses its row."""
 
     TITLE_TEXT = Text("Export")
-    ENDINGS = (".dxf", ".csv", ".json", ".pdf")
-    DRAWS_SHAFT = Text(
-        "The ending decides: .dxf draws the shaft (in step 5 the gears), .csv has the values, .json all results, .pdf "
-        "is the report."
-    )
-    DRAWS_GEARS = Text(
-        "The ending decides: .dxf draws the gears (in step 3 the shaft), .csv has the values, .json all results, .pdf "
-        "is the report."
-    )
+    HINT = Text("Enter writes it, ↓ goes to the list, Esc goes back. An ending that is typed chooses too.")
 
-    def __init__(self, session: Session, gears: bool) -> None:
-        self.HINT = self.DRAWS_GEARS if gears else self.DRAWS_SHAFT
-        name = f"{session.home.stem}-gears.dxf" if gears else f"{session.home.stem}.dxf"
-        super().__init__(folder_of(session) / name)
+    def __init__(self, session: Session, offered: Sequence[FileRow], chosen: FileRow) -> None:
+        self.stem, self.offered_rows, self.chosen = session.home.stem, offered, chosen
+        self.ENDINGS = tuple({f".{ending}": None for row in offered for ending in row.endings})
+        super().__init__(folder_of(session) / f"{self.stem}{chosen.tail}")
+
+    def fill(self) -> None:
+        """The kinds of files, once: those that can not be written with what is in the way."""
+        options = self.query_one("#names", OptionList)
+        if options.option_count:
+            return
+        width = max(len(row.tail) for row in self.offered_rows) + 2
+        for row in self.offered_rows:
+            shown = self.app.say(Text("{tail}{what}", tail=Name(row.tail.ljust(width)), what=row.what))
+            if row.reason is not None:
+                shown = self.app.say(Text("{shown}: {reason}", shown=Name(shown), reason=row.reason))
+            options.add_option(Option(Content(shown), disabled=row.reason is not None))
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        event.stop()
+        self.chosen = self.offered_rows[event.option_index]
+        box = self.query_one("#path", Input)
+        folder = box.value[: max(box.value.rfind("/"), box.value.rfind("\\")) + 1]
+        box.value = f"{folder}{self.stem}{self.chosen.tail}"
+        box.focus()
+        box.selection = Selection(len(folder), len(box.value) - len(Path(self.chosen.tail).suffix))
+
+    def take(self, path: Path) -> None:
+        ending = Path(path.stem).suffix if Path(path.stem).suffix.lower() in self.ENDINGS else path.suffix
+        if (ending := ending.lower().removeprefix(".")) and ending not in self.chosen.endings:
+            self.chosen = next((row for row in self.offered_rows if ending in row.endings), self.chosen)
+        super().take(path)
 
     def wrong(self, path: Path) -> Text:
-        if path.suffix.lower() in self.ENDINGS:
-            return EMPTY
-        return Text(
-            "The ending {ending} is not known: .dxf draws, .csv has the values, .json all results, .pdf is the report.",
-            ending=path.suffix,
-        )
+        if path.suffix.lower() not in self.ENDINGS:
+            known = " ".join(self.ENDINGS)
+            return Text("The ending {ending} is not known: {known}", ending=path.suffix, known=known)
+        return self.chosen.reason or EMPTY
 
 
 # --- which design to open

@@ -24,6 +24,7 @@ from calc.sheet.text import COMMA, EMPTY, Name, Text
 from calc.sheet.verdict import grouped
 
 from ..actions import is_typed
+from ..exports.offered import FileRow, rows, write_draft
 from ..session.editing import BuildPlan, told
 from ..session.guide import no_choice
 from ..session.places import GEARS, driver_of, first_key, named_key, ways_to_add
@@ -467,19 +468,24 @@ class WorkbenchEdits(WorkbenchMoves):
     # --- report and export
     def action_report(self) -> None:
         if self._can_write():
-            self._write(folder_of(self.session) / (self.session.home.stem + ".pdf"))
+            self._write(folder_of(self.session) / (self.session.home.stem + ".pdf"), FileRow())
 
     def action_export(self) -> None:
         if not self._can_write():
             return
         data = self.session.data
         gears = "gears" in data and (self.step.key == "gears" or not asks(data, "countershaft"))
+        draft = self.session.draft()
+        offered = rows(draft.solved() if draft.results is not None else None)
+        drawn = "gears" if gears else ""
+        chosen = next(row for row in offered if row.kind is not None and row.option == drawn)
+        dialog = ExportDialog(self.session, offered, chosen)
 
         def write(path: Path | None) -> None:
             if path is not None and self._can_write():
-                self._write(path, gears)
+                self._write(path, dialog.chosen)
 
-        self.app.push_screen(ExportDialog(self.session, gears), write)
+        self.app.push_screen(dialog, write)
 
     def _can_write(self) -> bool:
         """Whether there is something to write, and nothing being written; says what is in the way."""
@@ -499,13 +505,13 @@ class WorkbenchEdits(WorkbenchMoves):
             return False
         return True
 
-    def _write(self, path: Path, gears: bool = False) -> None:
+    def _write(self, path: Path, row: FileRow) -> None:
         self.app.writing = Name(path.suffix.removeprefix(".").upper())
         self.refresh_top_line()
-        work = partial(self._write_file, path, self.session.draft(), gears, self.app.say.code)
+        work = partial(self._write_file, path, self.session.draft(), row, self.app.say.code)
         self.in_thread("write", work, exclusive=False)
 
-    def _write_file(self, path: Path, draft: Draft, gears: bool, lang: str) -> None:
+    def _write_file(self, path: Path, draft: Draft, row: FileRow, lang: str) -> None:
         """Runs in another thread."""
         worker = get_current_worker()
         kind, shown = path.suffix.removeprefix(".").upper(), -1
@@ -520,9 +526,7 @@ class WorkbenchEdits(WorkbenchMoves):
 
         severity: SeverityLevel = "error"
         try:
-            from ..session.exporting import write_draft  # with numpy
-
-            write_draft(path, draft, gears, progress, lang)
+            write_draft(path, draft, row, progress, lang)
             text, severity = (
                 Text("PDF report: {path}", path=path) if kind == "PDF" else Text("Exported: {path}", path=path),
                 "information",

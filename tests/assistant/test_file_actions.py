@@ -14,11 +14,11 @@ from textual.widgets import Input, OptionList
 
 from assistant import app as app_module
 from assistant.app import ContralberoApp
+from assistant.exports.offered import FileRow, write_draft
 from assistant.screens.dialogs import Ask
 from assistant.screens.palette import entries
 from assistant.screens.path_dialogs import OpenDialog, PathDialog
 from assistant.screens.workbench import Workbench
-from assistant.session.exporting import write_draft
 from assistant.session.recovery import Memory, Settings
 from assistant.session.session import EXAMPLE, Session
 from assistant.widgets.lines import TopLine
@@ -246,7 +246,7 @@ async def test_ending_while_the_report_is_written_leaves_no_file(
     half, ended = threading.Event(), threading.Event()
     after: list[BaseException | None] = []
 
-    def write(path: Path, draft: Any, gears: bool, progress: Progress, lang: str) -> None:
+    def write(path: Path, draft: Any, row: FileRow, progress: Progress, lang: str) -> None:
         def slowly(share: float, what: str) -> None:
             if share > 0.5:
                 half.set()
@@ -254,13 +254,13 @@ async def test_ending_while_the_report_is_written_leaves_no_file(
             progress(share, what)
 
         try:
-            write_draft(path, draft, gears, slowly, lang)
+            write_draft(path, draft, row, slowly, lang)
             after.append(None)
         except BaseException as error:
             after.append(error)
             raise
 
-    monkeypatch.setattr("assistant.session.exporting.write_draft", write)
+    monkeypatch.setattr("assistant.screens.workbench_edits.write_draft", write)
     async with screen(session=small) as pilot:
         await strike(pilot, "f8")
         await until(pilot, half.is_set)

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 import tomli_w
 
-from assistant.session.exporting import drawings
+from assistant.exports.drawing import made
+from assistant.exports.kinds import Request
 from calc.draw.drawing import Words
 from calc.studies.drawings import sheets
 from reports.blocks.chapter import of_all
@@ -96,7 +97,7 @@ def test_each_original_has_its_drawing(single: Solved) -> None:
     ]
     words = [{mark.text for mark in sheet.marks if isinstance(mark, Words)} for sheet in drawn]
     assert "1/2" in words[0] and "2/2" in words[1]
-    files = drawings(Path("drive.dxf"), single.document, single.results)
+    files = made(Request(Path("drive.dxf"), single.document, single.results)).files
     assert [path.name for path in files] == ["drive-a.dxf", "drive-c.dxf"]
     for sheet, text in zip(drawn, files.values()):
         assert sheet.title in text
