@@ -103,6 +103,13 @@ KINDS: dict[str, FileKind] = {
             },
         ),
         FileKind("json", "results", ("json",), Text("all results")),
+        FileKind(
+            "xlsx",
+            "spreadsheet",
+            ("xlsx",),
+            Text("a workbook: inputs, results, checks, tables"),
+            extra=("xlsx", "xlsxwriter"),
+        ),
     )
 }
 
