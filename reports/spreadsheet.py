@@ -5,7 +5,7 @@ No formula, no macro, no link: whatever a text begins with, it is written as tex
 asked for by the extra `xlsx`."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from datetime import datetime
 from functools import cache
 from io import BytesIO
@@ -16,7 +16,7 @@ from calc.locale import Language
 from calc.sheet.step import Table
 
 if TYPE_CHECKING:
-    from xlsxwriter.format import Format
+    from xlsxwriter import Workbook
     from xlsxwriter.worksheet import Worksheet
 
 NARROWEST, WIDEST = 9, 60  # characters of a column
@@ -31,56 +31,55 @@ def workbook_bytes(sheets: Sequence[Sheet], date: str, say: Language) -> bytes:
     plain = {"strings_to_formulas": False, "strings_to_urls": False, "strings_to_numbers": False}
     book = Workbook(out, {"in_memory": True, **plain})
     book.set_properties({"created": datetime.fromisoformat(date)})
-    title, head = book.add_format({"bold": True, "font_size": 13}), book.add_format({"bold": True, "bottom": 1})
-    formats = cache(lambda shown: book.add_format({"num_format": shown}))
+    pages = _Pages(book, say)
     for page in sheets:
-        sheet = book.add_worksheet(say(page.title))
-        row = 0
-        for table in page.tables:
-            row = _write(sheet, row, table, say, title if len(page.tables) > 1 else None, head, formats)
-        if len(page.tables) == 1:
-            sheet.freeze_panes(1, 1)
-            sheet.autofilter(0, 0, len(page.tables[0].rows), len(page.tables[0].columns) - 1)
-        for column, width in enumerate(_widths(page.tables, say)):
-            sheet.set_column(column, column, width)
+        pages.add(page)
     book.close()
     return out.getvalue()
 
 
-def _write(
-    sheet: "Worksheet",
-    row: int,
-    table: Table,
-    say: Language,
-    title: "Format | None",
-    head: "Format",
-    formats: Callable[[str], "Format"],
-) -> int:
-    """A table from a row on, under its title; the row behind it and a gap."""
-    if title is not None:
-        sheet.write_string(row, 0, say(table.title), title)
-        row += 1
-    if any(label for label, _ in table.columns):
-        for column, (label, unit) in enumerate(table.columns):
-            sheet.write_string(row, column, _headed(label, unit, say), head)
-        row += 1
-    for cells in table.rows:
-        for column, cell in enumerate(cells):
-            _cell(sheet, row, column, cell, say, formats)
-        row += 1
-    if table.note:
-        sheet.write_string(row, 0, say(table.note)[:LONGEST])
-        row += 1
-    return row + 1
+class _Pages:
+    """The sheets of a workbook that is being written, and its formats."""
 
+    def __init__(self, book: "Workbook", say: Language) -> None:
+        self.book, self.say = book, say
+        self.title = book.add_format({"bold": True, "font_size": 13})
+        self.head = book.add_format({"bold": True, "bottom": 1})
+        self.format = cache(lambda shown: book.add_format({"num_format": shown}))
 
-def _cell(
-    sheet: "Worksheet", row: int, column: int, cell: Cell, say: Language, formats: Callable[[str], "Format"]
-) -> None:
-    if isinstance(cell, str):
-        sheet.write_string(row, column, say(cell)[:LONGEST])
-    elif cell is not None and math.isfinite(cell):
-        sheet.write_number(row, column, float(cell), formats(_shown(cell)))
+    def add(self, page: Sheet) -> None:
+        sheet, row, alone = self.book.add_worksheet(self.say(page.title)), 0, len(page.tables) == 1
+        for table in page.tables:
+            if not alone:
+                sheet.write_string(row, 0, self.say(table.title), self.title)
+                row += 1
+            row = self._table(sheet, row, table) + 1
+        if alone:
+            sheet.freeze_panes(1, 1)
+            sheet.autofilter(0, 0, len(page.tables[0].rows), len(page.tables[0].columns) - 1)
+        for column, width in enumerate(_widths(page.tables, self.say)):
+            sheet.set_column(column, column, width)
+
+    def _table(self, sheet: "Worksheet", row: int, table: Table) -> int:
+        """A table from a row on; the row behind it."""
+        if any(label for label, _ in table.columns):
+            for column, (label, unit) in enumerate(table.columns):
+                sheet.write_string(row, column, _headed(label, unit, self.say), self.head)
+            row += 1
+        for cells in table.rows:
+            for column, cell in enumerate(cells):
+                self._cell(sheet, row, column, cell)
+            row += 1
+        if table.note:
+            sheet.write_string(row, 0, self.say(table.note)[:LONGEST])
+            row += 1
+        return row
+
+    def _cell(self, sheet: "Worksheet", row: int, column: int, cell: Cell) -> None:
+        if isinstance(cell, str):
+            sheet.write_string(row, column, self.say(cell)[:LONGEST])
+        elif cell is not None and math.isfinite(cell):
+            sheet.write_number(row, column, float(cell), self.format(_shown(cell)))
 
 
 def _shown(number: float) -> str:
