@@ -14,6 +14,7 @@ HERE = Path(__file__).parent
 ROOT = HERE.parent
 sys.path[:0] = [str(ROOT), str(HERE)]
 
+from exchange_page import exchange_page  # noqa: E402
 from key_pages import key_pages  # noqa: E402
 from validation_page import validation_page  # noqa: E402
 
@@ -611,6 +612,7 @@ def everything() -> dict[str, str]:
         pages()
         | key_pages()
         | {
+            "exchange.md": exchange_page(),
             "validation.md": validation_page(),
             "checks.md": checks(),
             "pair.md": pair(),

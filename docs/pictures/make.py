@@ -75,7 +75,71 @@ def plots() -> dict[str, bytes]:
     return drawn
 
 
+def frame() -> bytes:
+    """The axes of all files, from the front of an engine that turns clockwise and of one that turns anticlockwise, and
+    from the side."""
+    from io import BytesIO
+
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from matplotlib.patches import Circle, FancyArrowPatch, Rectangle
+
+    ink, blue, grey = "#222222", "#1f5fa8", "#8a8a8a"
+    figure = Figure(figsize=(7.6, 2.7), dpi=150, facecolor="white")
+    FigureCanvasAgg(figure)
+    views = figure.subplots(1, 3, gridspec_kw={"width_ratios": [1, 1, 1.35]})
+
+    def arrow(
+        ax: object, start: tuple[float, float], end: tuple[float, float], name: str, at: tuple[float, float]
+    ) -> None:
+        ax.add_patch(
+            FancyArrowPatch(start, end, arrowstyle="-|>", mutation_scale=13, color=blue, lw=1.6, shrinkA=0, shrinkB=0)
+        )
+        ax.text(*at, name, color=blue, fontsize=11, ha="center", va="center", weight="bold")
+
+    for ax, side, title in ((views[0], 1, "turns clockwise"), (views[1], -1, "turns anticlockwise")):
+        ax.add_patch(Circle((0, 0), 0.62, fc="#f1f1f1", ec=grey, lw=1.0))
+        arrow(ax, (0, 0), (0, 1.15), "X", (0.17, 1.12))
+        arrow(ax, (0, 0), (1.15, 0), "Y", (1.18, 0.17))
+        ax.plot(0, 0, "o", ms=9, mfc="white", mec=blue, mew=1.4)
+        ax.plot(0, 0, "x", ms=5, color=blue, mew=1.4)
+        ax.text(-0.2, -0.2, "Z", color=blue, fontsize=11, ha="center", va="center", weight="bold")
+        ax.add_patch(
+            FancyArrowPatch(
+                (-0.62 * side, 0.55),
+                (0.62 * side, 0.55),
+                connectionstyle=f"arc3,rad={-0.42 * side}",
+                arrowstyle="-|>",
+                mutation_scale=11,
+                color=ink,
+                lw=1.2,
+            )
+        )
+        ax.text(0, -1.0, f"from the front: {title}", ha="center", fontsize=8.5, color=ink)
+        ax.set(xlim=(-1.25, 1.45), ylim=(-1.2, 1.35))
+    ax = views[2]
+    ax.add_patch(Rectangle((-1.2, -0.16), 2.4, 0.32, fc="#f1f1f1", ec=grey, lw=1.0))
+    ax.add_patch(Rectangle((1.2, -0.62), 0.16, 1.24, fc="#e2e2e2", ec=grey, lw=1.0))
+    ax.plot([-1.5, 1.75], [0, 0], color=grey, lw=0.8, dashes=(9, 2, 2, 2))
+    ax.plot([0, 0], [-0.5, 0.5], color=grey, lw=0.8, dashes=(9, 2, 2, 2))
+    arrow(ax, (0, 0), (0, 1.15), "X", (0.17, 1.12))
+    arrow(ax, (0, 0), (0.98, 0), "Z", (0.86, 0.3))
+    ax.text(1.28, 0.78, "flywheel", ha="center", fontsize=8.5, color=ink)
+    ax.text(-1.45, 0.3, "front", ha="left", fontsize=8.5, color=ink)
+    ax.text(0.06, -0.42, "mid-engine", ha="left", fontsize=8.5, color=ink)
+    ax.text(0.1, -1.0, "from the side", ha="center", fontsize=8.5, color=ink)
+    ax.set(xlim=(-1.6, 1.85), ylim=(-1.2, 1.35))
+    for ax in views:
+        ax.set_aspect("equal")
+        ax.axis("off")
+    figure.subplots_adjust(0.005, 0.01, 0.995, 0.99, wspace=0.02)
+    out = BytesIO()
+    figure.savefig(out, format="png", metadata={"Software": None})
+    return out.getvalue()
+
+
 if __name__ == "__main__":
+    (HERE / "frame.png").write_bytes(frame())
     (HERE / "session.svg").write_text(asyncio.run(session()), encoding="utf-8")
     page(HERE / "report.png")
     for name, picture in plots().items():
