@@ -18,9 +18,9 @@ FROM_MID_SHAFT = Text("From mid-shaft, + towards the flywheel.")
 
 # words that follow the step in the ids of values and checks, where the name of a shaft stands too
 NO_NAMES = (
-    "all", "alternative", "bolts", "co2", "couple", "drain", "envelope", "fatigue", "fillet", "force", "fuel", "holes",
-    "journals", "mass", "residual", "roll", "scatter", "scenarios", "sector", "shafts", "support", "train",
-    "utilisation", "weight",
+    "all", "alternative", "balancing", "bolts", "co2", "couple", "drain", "envelope", "fatigue", "fillet", "force",
+    "fuel", "holes", "inertia", "journals", "mass", "residual", "roll", "scatter", "scenarios", "sector", "shafts",
+    "support", "train", "utilisation", "weight",
 )  # fmt: skip
 
 # the folds of the form

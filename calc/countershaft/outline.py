@@ -633,7 +633,7 @@ def _stretch(piece: Piece) -> Text:
     )
 
 
-def _extent(shape: Outline) -> tuple[Array, Array]:
+def extent(shape: Outline) -> tuple[Array, Array]:
     """Length and middle of each piece."""
     z_1, z_2 = column(shape.pieces, "start"), column(shape.pieces, "end")
     return lengths(z_1=z_1, z_2=z_2), middles(z_1=z_1, z_2=z_2)
@@ -668,7 +668,7 @@ def hollowed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass
 def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> tuple[Kilogram, Metre]:
     """Mass of the whole shaft and its centre of gravity along the axis."""
     A = shape.weighing_area
-    l, z = _extent(shape)
+    l, z = extent(shape)
     m, z_m = column(extras, "mass"), column(extras, "z")
     if not extras:
         m_S = pieces_mass(rho=rho, A=A, l=l)
@@ -680,7 +680,7 @@ def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass,
 def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> KilogramMetre2:
     """Moment of inertia of the whole shaft about its axis."""
     gamma = gathered(math.pi if piece.half_angle is None else piece.half_angle for piece in shape.pieces)
-    l, _ = _extent(shape)
+    l, _ = extent(shape)
     m, e = column(extras, "mass"), column(extras, "radius")
     R, r_0 = column(shape.pieces, "outer_radius"), column(shape.pieces, "core_radius")
     I_p = polar_moment(gamma=gamma, R=R, r_0=r_0)
@@ -715,7 +715,7 @@ def vectors_of(
 ) -> tuple[complex, complex]:
     """Force and couple of the outline about mid-shaft, with those of the further elements."""
     S = shape.weighing_moment
-    l, z = _extent(shape)
+    l, z = extent(shape)
     return outline_force(omega=omega, rho=rho, S=S, l=l, F_x=F_x), outline_couple(
         omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x
     )

@@ -22,6 +22,7 @@ from ..sheet.units import (
 from .bending.shaft import Bending
 from .inputs import EccentricMass
 from .making.unbalance import HolesResult, ToleranceResult
+from .mass_properties import InertiaResult
 from .outline import Outline
 from .rows import called, sign
 from .sums import SystemResult
@@ -136,6 +137,13 @@ class CountershaftResult(Shown):
         short=True,
         taken_by=("gears",),
     )
+    centre_of_gravity_up: Metre | None = value(
+        "Centre of gravity of its outline, up from the axis, cylinder 1 at TDC", "mm", "x_G", default=None
+    )
+    centre_of_gravity_side: Metre | None = value(
+        "the same, 90° further in the sense of crank rotation", "mm", "y_G", default=None
+    )
+    inertia: InertiaResult | None = group(default=None, words="inertia")
     outline_force_deviation: Newton | None = value(
         "Force of the given sections, off the masses'", "N", "ΔF_O", default=None
     )

@@ -18,6 +18,7 @@ from ..sheet.units import (
     KilogramMetre2,
     KilogramMetres2,
     Kilograms,
+    Metre,
     Newton,
     NewtonMetre,
     Number,
@@ -27,6 +28,7 @@ from ..sheet.units import (
 )
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
+from .mass_properties import InertiaResult, turned
 from .result import CountershaftResult, Standing
 from .rows import called, sign
 from .sums import SystemResult
@@ -39,13 +41,15 @@ def of_twin(original: CountershaftResult, twin: Resolved) -> CountershaftResult:
     original's."""
     axis = twin.inputs.axis
     F, C, reactions, masses = original.force_vector, original.couple_vector, original.reactions, original.masses
-    scatter = original.scatter
+    scatter, side, inertia = original.scatter, original.centre_of_gravity_side, original.inertia
     with about(Name(twin.name)):
         if twin.how == "mirrors":
             F, C = f.mirrored_force(F_S=F), f.mirrored_couple(C_S=C)
             reactions = tuple(based_on(R.conjugate(), R) for R in reactions)
             masses = tuple(map(turned_over, masses))
             scatter = None if scatter is None else replace(scatter, target=scatter.target.mirrored())
+            inertia = None if inertia is None else inertia.mirrored()
+            side = None if side is None else turned(side)
         return replace(
             original,
             couple_phase=f.couple_phase(C_S=C),
@@ -55,6 +59,8 @@ def of_twin(original: CountershaftResult, twin: Resolved) -> CountershaftResult:
             load_phases=phases_of(original.loads, reactions),
             masses=masses,
             scatter=scatter,
+            centre_of_gravity_side=side,
+            inertia=inertia,
             roll_torque=None if axis is None else roll_torque(p=based_on(complex(*axis), axis), F=F),
         )
 
@@ -74,6 +80,13 @@ class TwinResult(Shown):
         called=called,
         sign=sign,
     )
+    centre_of_gravity_up: Metre | None = value(
+        "Centre of gravity of its outline, up from the axis, cylinder 1 at TDC", "mm", "x_G", default=None
+    )
+    centre_of_gravity_side: Metre | None = value(
+        "the same, 90° further in the sense of crank rotation", "mm", "y_G", default=None
+    )
+    inertia: InertiaResult | None = group(default=None, words="inertia")
     roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
     first_critical_speed_on_films: RevPerSecond | None = value(
         "First bending critical speed on its films, where they are its own", "rpm", "n_1", default=None, short=True
@@ -87,6 +100,9 @@ def told(twin: CountershaftResult) -> TwinResult:
         couple_phase=twin.couple_phase,
         force=twin.force,
         load_phases=twin.load_phases,
+        centre_of_gravity_up=twin.centre_of_gravity_up,
+        centre_of_gravity_side=twin.centre_of_gravity_side,
+        inertia=twin.inertia,
         roll_torque=twin.roll_torque,
         first_critical_speed_on_films=twin.first_critical_speed_on_films,
         standing=twin.standing,

@@ -43,6 +43,7 @@ from .inputs import EccentricMass, ShaftInputs
 from .insertion import rooms
 from .making.drain import DrainResult, run_off_check
 from .making.parts import ShaftStep, making
+from .mass_properties import mass_properties, without_extras
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note, tight_fillet_note
 from .outline import Journals, NoOutline, Outline, outer_face
 from .result import CountershaftResult, SupportResult
@@ -225,7 +226,21 @@ def _with_outline(
     m_S, z_S = s.weighed(outline, steel.density, points)
     z_S = based_on(z_S, z_S, outline.bore)
     J_S = s.turning_inertia(outline, steel.density, points)
-    result = replace(result, outline=outline, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
+    with about(Text("outline of the shaft")):
+        known = None if shaft.extras else (m_S, z_S, J_S)
+        solid = mass_properties(outline, steel.density, masses if outline.plain else (), known)
+    if shaft.extras:
+        step.notes.append(without_extras(shaft.extras))
+    result = replace(
+        result,
+        outline=outline,
+        mass=m_S,
+        centre_of_gravity=z_S,
+        moment_of_inertia=J_S,
+        centre_of_gravity_up=solid.up,
+        centre_of_gravity_side=solid.side,
+        inertia=solid.inertia,
+    )
     if not outline.derived:
         with about(Text("given sections")):
             F_x, C_x = _of(points, omega) if points else (0j, 0j)

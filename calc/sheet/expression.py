@@ -108,7 +108,7 @@ NO_ANGLE = 1e-12  # rad: what a sine of π has left
 WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
 ENOUGH = 5  # digits of a constant that has no end: 30° in radians
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
-CALLS = {"sqrt": "sqrt", "cis": "cis", "modulus": "abs", "abs": "abs", "imag": "Im", "argument": "arg"}
+CALLS = {"sqrt": "sqrt", "cis": "cis", "modulus": "abs", "abs": "abs", "real": "Re", "imag": "Im", "argument": "arg"}
 CALLS |= {"total": "sum", "along": "sum", "resultant": "sum", "largest": "max", "smallest": "min"}
 CALLS |= {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log10": "lg", "asinh": "arsinh", "log1p": "ln1p"}
 

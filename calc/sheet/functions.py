@@ -87,6 +87,11 @@ def modulus(z: Any) -> Any:
     return abs(z)
 
 
+def real(z: complex) -> float:
+    """The part up."""
+    return z.real
+
+
 def imag(z: complex) -> float:
     """The part 90° further in the sense of crank rotation."""
     return z.imag

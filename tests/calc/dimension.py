@@ -23,7 +23,7 @@ SPELL = {
     "10⁻⁶/K": "1e-6/kelvin",
     "€": "euro",
 }
-SAME = {"modulus", "abs", "conj", "total", "along", "resultant", "joined", "imag", "largest", "smallest", "rss"}
+SAME = {"modulus", "abs", "conj", "total", "along", "resultant", "joined", "real", "imag", "largest", "smallest", "rss"}
 PURE = {
     "sin",
     "cos",

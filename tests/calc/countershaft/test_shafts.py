@@ -97,7 +97,9 @@ def test_its_roll_is_about_its_own_axis(original, how):
 def test_a_twin_tells_what_is_not_its_originals(original):
     given = told(replace(of_twin(original, twin("mirrors")), standing=None))
     mine = {value.id for value in published(given, "countershaft")}
-    told_of_it = ("couple", "couple_phase", "force", "roll_torque", "reaction_front_phase", "reaction_rear_phase")
+    told_of_it = ["couple", "couple_phase", "force", "roll_torque", "reaction_front_phase", "reaction_rear_phase"]
+    told_of_it += ["centre_of_gravity_up", "centre_of_gravity_side"]
+    told_of_it += [f"inertia.{name}" for name in ("xx", "yy", "zz", "xy", "yz", "zx")]
     assert mine == {f"countershaft.{name}" for name in told_of_it}
     of_original = {value.id: value for value in published(original, "countershaft")}
     for value in published(given, "countershaft"):
