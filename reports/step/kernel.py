@@ -169,7 +169,7 @@ def cut(solid: Shape, *tools: Shape) -> Shape:
 
 
 def _done(operation: Any, what: str) -> Shape:
-    if not operation.IsDone() or operation.HasErrors():
+    if not operation.IsDone():
         raise KernelFault(f"the geometry kernel could not {what} two solids")
     return operation.Shape()
 
