@@ -239,13 +239,13 @@ class SolidProperties:
 CLOSE = 1e-9
 
 
-def properties(shape: Shape, splines: bool = False) -> SolidProperties:
+def properties(shape: Shape, splines: bool = False, close: float = CLOSE) -> SolidProperties:
     """`splines`: whether it has surfaces or edges that are no planes, cylinders and cones, straight lines and circles.
-    The kernel's plain integration is exact without, and wrong by 1e-5 with them; its adaptive one (to CLOSE) watches
-    the volume alone, and moments are off by 6e-8 on a cylinder."""
+    The kernel's plain integration is exact without, and wrong by 1e-5 with them; its adaptive one (to
+    `close`) watches the volume alone, and at 1e-9 moments are off by 6e-8 on a cylinder."""
     k = kernel()
     found = k.GProp_GProps()
-    k.BRepGProp.VolumeProperties_s(shape, found, *((CLOSE, False, False) if splines else ()))
+    k.BRepGProp.VolumeProperties_s(shape, found, *((close, False, False) if splines else ()))
     centre, matrix = found.CentreOfMass(), found.MatrixOfInertia()
     tensor = np.array([[matrix.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)])
     return SolidProperties(found.Mass(), np.array([centre.X(), centre.Y(), centre.Z()]), tensor)
@@ -318,8 +318,9 @@ def _escaped(found: re.Match[str]) -> str:
 def _labelled(tool: Any, part: Part) -> Any:
     """The label of a part, and of each of its solids where it has several."""
     k = kernel()
-    alone = len(part.bodies) == 1
-    shape = part.bodies[0][1] if alone else compound([body for _, body in part.bodies])
+    single = [solid for _, body in part.bodies for solid in solids(body)]
+    alone = len(single) == 1
+    shape = single[0] if alone else compound(single)
     label = tool.AddShape(shape, False)
     k.TDataStd_Name.Set_s(label, _wide(part.name))
     if not alone:

@@ -40,6 +40,7 @@ MM = 1e3
 SAME = 1e-9  # m: radii closer than this are one
 HALF_TURN = math.pi - 1e-9  # a sector of this half-angle is a full cylinder
 CLOSE = 1e-6  # of the solid to the program's mass, centre and tensor
+OF_DRILLED = 1e-12  # of the volume: the moments of a drilled solid are then as close as 1e-10
 ROUND = 1.0  # mm: what a tool stands out beyond what it cuts
 
 
@@ -86,14 +87,14 @@ def shaft_solid(
 ) -> ShaftSolid:
     """`rho`: density of the core.  Raises KernelFault where the solid is not valid, or not what the program weighs."""
     pieces = tuple(_turned(piece, frame) for piece in _joined(shape.pieces))
-    densities = (rho, rho * shape.heavier)
     bodies = _bodies(name, pieces, shape.heavier != 1)
+    densities = {name: rho, _sectors(name): rho * shape.heavier}
     if shape.bore:
         bore = _cylinder(shape.bore * MM, pieces[0].start * MM - ROUND, pieces[-1].end * MM + ROUND)
         bodies = tuple((body, cut(solid, bore)) for body, solid in bodies)
     for body, solid in bodies:
         demand_valid(solid, body)
-    undrilled = _together(name, [_weighed(body, solid, density) for (body, solid), density in zip(bodies, densities)])
+    undrilled = _together(name, [_weighed(body, solid, densities[body]) for body, solid in bodies])
     by_program = _by_program(name, replace_pieces(shape, pieces), rho)
     deviation = _apart(undrilled, by_program, (pieces[-1].end - pieces[0].start) * MM)
     if not deviation <= CLOSE:
@@ -103,7 +104,7 @@ def shaft_solid(
         bodies = tuple((body, cut(solid, *tools)) for body, solid in bodies)
         for body, solid in bodies:
             demand_valid(solid, body)
-    weights = [_weighed(body, solid, density) for (body, solid), density in zip(bodies, densities)]
+    weights = [_weighed(body, solid, densities[body], bool(holes)) for body, solid in bodies]
     return ShaftSolid(
         Part(name, bodies), tuple(weights), _together(name, weights), undrilled, by_program, deviation, tuple(holes)
     )
@@ -150,16 +151,19 @@ def replace_pieces(shape: Outline, pieces: tuple[Piece, ...]) -> Outline:
 # --- its solids
 
 
+def _sectors(name: str) -> str:
+    return f"{name}-sectors"
+
+
 def _bodies(name: str, pieces: Sequence[Piece], apart: bool) -> tuple[tuple[str, Shape], ...]:
     """The solid of the shaft; where its sectors are of another density (`apart`) that of the rest and theirs."""
     sectors = [p for p in pieces if p.half_angle is not None and (apart or p.half_angle < HALF_TURN)]
     turned = [(p.start * MM, p.end * MM, _turned_radius(p, apart) * MM) for p in pieces]
     rest = [_profile(run) for run in _runs(turned)]
     if not apart:
-        whole = [*rest, *(prism(face(_section(p)), p.length * MM) for p in sectors)]
-        return ((name, fused(*whole)),)
+        return ((name, fused(*rest, *(prism(face(_section(p)), p.length * MM) for p in sectors))),)
     rings = [_ring(p) for p in sectors]
-    return (name, fused(*rest)), (f"{name}-sectors", fused(*rings) if len(rings) > 1 else rings[0])
+    return tuple((body, fused(*shapes)) for body, shapes in ((name, rest), (_sectors(name), rings)) if shapes)
 
 
 def _turned_radius(piece: Piece, apart: bool) -> Metre:
@@ -238,8 +242,8 @@ def _at(radius: float, angle: float, z: float) -> Point:
 # --- what they weigh
 
 
-def _weighed(name: str, solid: Shape, density: KilogramPerMetre3) -> Weighed:
-    found, kg = properties(solid), density * 1e-9  # per mm³
+def _weighed(name: str, solid: Shape, density: KilogramPerMetre3, drilled: bool = False) -> Weighed:
+    found, kg = properties(solid, drilled, OF_DRILLED), density * 1e-9  # per mm³
     return Weighed(name, found.volume, found.volume * kg, found.centre, found.tensor * kg)
 
 
