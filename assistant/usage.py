@@ -323,6 +323,9 @@ def export(it: argparse.ArgumentParser) -> None:
         metavar="UM",
         help="how far a tooth's straight pieces may stand off (default: 1 µm)",
     )
+    solid = it.add_argument_group("of solids (--step)")
+    solid.add_argument("--shaft", metavar="NAME", help="this shaft alone")
+    solid.add_argument("--drilled", action="store_true", help="with its holes at their greatest depth")
     instead = it.add_argument_group("instead of the values (--csv)").add_mutually_exclusive_group()
     instead.add_argument("--transfer", action="store_true", help="the transfer functions of the mounts")
     instead.add_argument("--map", action="store_true", help="the strikes of the gears over speed and load")

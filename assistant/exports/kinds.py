@@ -110,6 +110,13 @@ KINDS: dict[str, FileKind] = {
             Text("a workbook: inputs, results, checks, tables"),
             extra=("xlsx", "xlsxwriter"),
         ),
+        FileKind(
+            "step",
+            "step",
+            ("step", "stp"),
+            Text("the shafts as solids for CAD"),
+            options=("shaft", "drilled"),
+        ),
     )
 }
 

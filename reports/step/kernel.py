@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from calc.sheet.arrays import Array
+from calc.sheet.text import Text
 from calc.sheet.version import VERSION
 
 Shape = Any  # of the kernel
@@ -24,7 +25,7 @@ Edge = Any
 Point = tuple[float, float, float]
 
 EXTRA, MODULE = "cad", "OCP"
-ASKED = "8.0.1 to below 9"
+ASKED = ">=8.0.1,<9"
 NAMES = {
     "APIHeaderSection": ("APIHeaderSection_MakeHeader",),
     "BRep": ("BRep_Builder",),
@@ -62,10 +63,18 @@ class KernelFault(RuntimeError):
     """The kernel made what it should not: a fault of this program."""
 
 
+class WrongKernel(Exception):
+    """Another kernel is installed than this program knows."""
+
+    def __init__(self, reason: Text) -> None:
+        super().__init__(reason)
+        self.reason = reason
+
+
 @cache
 def kernel() -> Any:
     """The names of the kernel, loaded (about a second) when the first shape is made; from then on it is silent: what it
-    says else goes to the standard output.  Raises KernelFault where the one installed has other names."""
+    says else goes to the standard output.  Raises WrongKernel where the one installed has other names."""
     from importlib import import_module
 
     found = SimpleNamespace()
@@ -76,9 +85,15 @@ def kernel() -> Any:
                 setattr(found, name, getattr(part, name))
         except (ImportError, AttributeError) as error:
             there = getattr(import_module(MODULE), "__version__", "unknown")
-            raise KernelFault(
-                f"the geometry kernel that is installed, {there}, is not {ASKED} ({module}: {error}); cadquery brings "
-                "another one and can't live beside it: take an environment of its own"
+            raise WrongKernel(
+                Text(
+                    "the geometry kernel that is installed, {there}, is not {asked} ({module}: {error}); cadquery "
+                    "brings another one and can't live beside it: take an environment of its own",
+                    there=there,
+                    asked=ASKED,
+                    module=module,
+                    error=str(error),
+                )
             ) from error
     messenger = found.Message.DefaultMessenger_s()
     messenger.RemovePrinters(found.Message_PrinterOStream.get_type_descriptor_s())

@@ -38,6 +38,7 @@ from reports.step.kernel import (
 
 MM = 1e3
 SAME = 1e-9  # m: radii closer than this are one
+SAME_ANGLE = 1e-9
 HALF_TURN = math.pi - 1e-9  # a sector of this half-angle is a full cylinder
 CLOSE = 1e-6  # of the solid to the program's mass, centre and tensor
 OF_DRILLED = 1e-12  # of the volume: the moments of a drilled solid are then as close as 1e-10
@@ -86,7 +87,7 @@ def shaft_solid(
     name: str, shape: Outline, rho: KilogramPerMetre3, frame: Frame, holes: Sequence[Hole] = ()
 ) -> ShaftSolid:
     """`rho`: density of the core.  Raises KernelFault where the solid is not valid, or not what the program weighs."""
-    pieces = tuple(_turned(piece, frame) for piece in _joined(shape.pieces))
+    pieces = tuple(_turned(piece, frame) for piece in drawn_pieces(shape))
     bodies = _bodies(name, pieces, shape.heavier != 1)
     densities = {name: rho, _sectors(name): rho * shape.heavier}
     if shape.bore:
@@ -113,10 +114,10 @@ def shaft_solid(
 # --- the pieces as they are drawn
 
 
-def _joined(pieces: Sequence[Piece]) -> list[Piece]:
-    """Each begins where the one before it ends, and neighbours of the same section are one."""
+def drawn_pieces(shape: Outline) -> list[Piece]:
+    """The pieces of the solid: each begins where the one before it ends, and neighbours of the same section are one."""
     row: list[Piece] = []
-    for piece in pieces:
+    for piece in shape.pieces:
         if row and _alike(row[-1], piece):
             row[-1] = replace(row[-1], end=piece.end)
         else:
@@ -140,6 +141,22 @@ def _alike(first: Piece, second: Piece) -> bool:
 
 def _turned(piece: Piece, frame: Frame) -> Piece:
     return replace(piece, angle=frame.angle(piece.angle))
+
+
+def mirrored(shape: Outline) -> Outline:
+    """The outline of the mirror image in the vertical plane through the crank: angles −φ, every place as it is."""
+    return replace_pieces(shape, tuple(replace(piece, angle=-piece.angle) for piece in shape.pieces))
+
+
+def turned_alike(shape: Outline, holes: Sequence[Hole] = ()) -> Radian | None:
+    """By which angle the part is to be turned about its axis to be its mirror image, 0 … 2π; None: it is another part.
+    All that is eccentric then lies in one plane through the axis."""
+    angles = [p.angle for p in shape.pieces if p.half_angle is not None and p.half_angle < HALF_TURN]
+    turns = [cmath.rect(1.0, -2 * angle) for angle in (*angles, *(hole.angle for hole in holes))]
+    if any(abs(turn - turns[0]) > SAME_ANGLE for turn in turns):
+        return None
+    turn = cmath.phase(turns[0]) % (2 * math.pi) if turns else 0.0
+    return 0.0 if 2 * math.pi - turn < SAME_ANGLE else turn
 
 
 def replace_pieces(shape: Outline, pieces: tuple[Piece, ...]) -> Outline:
