@@ -11,7 +11,7 @@ import pytest
 from tests.conftest import DESIGNS, GAMMA, ROOT
 from tests.import_scan import circles, graph, imported, modules
 
-HEAVY = ("scipy", "matplotlib", "reportlab", "rich", "textual", "tomlkit", "pypdf", "PIL", "ezdxf", "pandas")
+HEAVY = ("scipy", "matplotlib", "reportlab", "rich", "textual", "tomlkit", "pypdf", "PIL", "ezdxf", "pandas", "OCP")
 
 
 def loaded(code: str) -> set[str]:

@@ -120,6 +120,7 @@ def _words(asked: Request, holes: Sequence[Hole]) -> list[str]:
         "drilled to the greatest depth" if holes else "undrilled",
         str(frame_of(design).words),
         "of a single part: origin on its own axis at mid-shaft, turned as at TDC of cylinder 1",
+        "products of inertia beside it are -integral XY dm, about the centre of gravity",
         str(DENSITY),
     ]
 
@@ -140,7 +141,9 @@ def _table(solid: ShaftSolid) -> Iterator[Text]:
     for name, *numbers in cells:
         row = (number.rjust(width) for number, width in zip(numbers, widths[1:]))
         yield Name("  ".join((name.ljust(widths[0]), *row)))
-    yield Text("deviation {share}", share=f"{solid.deviation:.1e}")
+    yield Text(
+        "Deviation {share}; J about the centre of gravity, its products −∫XY dm.", share=f"{solid.deviation:.1e}"
+    )
 
 
 def _numbers(one: Weighed) -> list[float]:

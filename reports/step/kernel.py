@@ -54,7 +54,7 @@ NAMES = {
     "TopoDS": ("TopoDS_Compound",),
     "XCAFApp": ("XCAFApp_Application",),
     "XCAFDoc": ("XCAFDoc_DocumentTool",),
-    "collections": ("HArray1_gp_Pnt",),
+    "collections": ("HArray1_TCollection_HAsciiString", "HArray1_gp_Pnt"),
     "gp": ("gp_Ax1", "gp_Circ", "gp_Dir", "gp_Pnt", "gp_Trsf", "gp_Vec"),
 }  # fmt: skip
 
@@ -277,11 +277,12 @@ def demand_valid(shape: Shape, name: str, bodies: int | None = None) -> None:
 # --- the file
 
 USED = re.compile(r"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\(')\d+'")
+WORDS = re.compile("'[^']*'")
 OTHER_LETTERS = re.compile(r"[^\x00-\x7f]+")
 
 
 @dataclass(frozen=True)
-class Part:
+class StepPart:
     """A part of a file: its solids, each with its name, and where its origin stands, turned about Z (radians)."""
 
     name: str
@@ -290,7 +291,7 @@ class Part:
     turned: float = 0.0
 
 
-def step_file(parts: Sequence[Part], file: str, date: str, words: Sequence[str], assembly: str = "") -> bytes:
+def step_file(parts: Sequence[StepPart], file: str, date: str, words: Sequence[str], assembly: str = "") -> bytes:
     """The STEP file of parts, of AP214 in millimetres.  `file`: its name, without the folder; `date`: YYYY-MM-DD;
     `words`: what its header says; `assembly`: the name of what holds several parts, each where it stands."""
     k = kernel()
@@ -319,9 +320,10 @@ def step_file(parts: Sequence[Part], file: str, date: str, words: Sequence[str],
 
 def _plain(content: bytes) -> bytes:
     """A file as the standard has it, the same each time: the kernel counts the parts of all assemblies that it ever
-    wrote, and leaves letters beyond ASCII as they are."""
+    wrote, breaks the lines of long texts, and leaves letters beyond ASCII as they are."""
     counts = count(1)
     text = USED.sub(lambda found: f"{found[1]}{next(counts)}'", content.decode())
+    text = WORDS.sub(lambda found: found[0].replace("\n", ""), text)
     return OTHER_LETTERS.sub(_escaped, text).encode("ascii")
 
 
@@ -330,7 +332,7 @@ def _escaped(found: re.Match[str]) -> str:
     return f"\\X4\\{letters}\\X0\\"
 
 
-def _labelled(tool: Any, part: Part) -> Any:
+def _labelled(tool: Any, part: StepPart) -> Any:
     """The label of a part, and of each of its solids where it has several."""
     k = kernel()
     single = [solid for _, body in part.bodies for solid in solids(body)]
@@ -357,7 +359,10 @@ def _head(writer: Any, file: str, date: str, words: Sequence[str]) -> None:
     head.SetOriginatingSystem(text(f"contralbero {VERSION}"))
     head.SetPreprocessorVersion(text(f"contralbero {VERSION}"))
     head.SetAuthorisation(text(""))
-    head.SetDescriptionValue(1, text("; ".join(words)))
+    row = k.HArray1_TCollection_HAsciiString(1, len(words))
+    for n, sentence in enumerate(words, 1):
+        row.SetValue(n, text(sentence))
+    head.SetDescription(row)
 
 
 def _wide(words: str) -> Any:

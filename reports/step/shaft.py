@@ -20,9 +20,9 @@ from calc.sheet.units import KilogramPerMetre3, Metre, Radian
 from calc.sheet.value import recorded
 from reports.step.kernel import (
     KernelFault,
-    Part,
     Point,
     Shape,
+    StepPart,
     along,
     arc,
     cut,
@@ -74,7 +74,7 @@ class ShaftSolid:
     """A shaft as a part: of each of its solids what it weighs, all of them, and before anything was drilled; the same
     by the program, and how far they are apart of it (mass, centre over the shaft's length, tensor over its largest)."""
 
-    part: Part
+    part: StepPart
     solids: tuple[Weighed, ...]
     whole: Weighed
     undrilled: Weighed
@@ -107,7 +107,7 @@ def shaft_solid(
             demand_valid(solid, body)
     weights = [_weighed(body, solid, densities[body], bool(holes)) for body, solid in bodies]
     return ShaftSolid(
-        Part(name, bodies), tuple(weights), _together(name, weights), undrilled, by_program, deviation, tuple(holes)
+        StepPart(name, bodies), tuple(weights), _together(name, weights), undrilled, by_program, deviation, tuple(holes)
     )
 
 
