@@ -653,6 +653,11 @@ class Design:
 
                 if (wrong := class_problem(wheel.gear_material)) is not None:
                     yield dotted(GearsInputs.wheels, i, Wheel.gear_material), wrong
+        if gears.meshes and any(shaft.mode != "bearings" for shaft in self.shafts):
+            for i, wheel in enumerate(gears.wheels):
+                if wheel.z is not None and wheel.name in gears.carriers:
+                    on_shaft = Text("gear_z_mm of the shaft on which it sits says it: leave this out")
+                    yield dotted(GearsInputs.wheels, i, Wheel.z), on_shaft
         # positions count from the crank's axis, on which the first driver stands where the engine drives it
         if self.engine is not None and gears.speed in (None, self.engine.rated_speed) and gears.meshes:
             for i, wheel in enumerate(gears.wheels):

@@ -177,6 +177,15 @@ class Wheel:
         change=("wheel elsewhere", "wheel elsewhere"),
         repair="asked",
     )
+    z: float | None = quantity(
+        "Position along the crank",
+        "mm",
+        default=None,
+        within=(-5000, 5000),
+        symbol="z_W",
+        help="Middle of its face from mid-engine, + towards the flywheel, for exports. Left out: that of the wheel in "
+        "mesh with it. Of a wheel on a shaft: gear_z_mm of that.",
+    )
     bore_diameter: float | None = quantity(
         "Bore",
         "mm",
