@@ -117,6 +117,7 @@ KINDS: dict[str, FileKind] = {
             Text("the shafts as solids for CAD"),
             options=("shaft", "drilled"),
         ),
+        FileKind("rexs", "rexs", ("rexs",), Text("the train for gear programs, REXS 1.7")),
     )
 }
 
