@@ -33,7 +33,7 @@ class Rexs:
 
     def file(self) -> bytes:
         """Its bytes, held against the table of REXS.  Raises FaultyFile."""
-        return file_of(self.model, self.date)
+        return file_of(self.model, self.date, self.notes)
 
 
 def has_parts(results: Results) -> bool:
@@ -45,6 +45,7 @@ def rexs(results: Results) -> Rexs:
     """The model of a design with shafts or wheels that are solved."""
     with untraced():
         unit = GearUnit(results)
+        unit.notes.append(Text("{axes}. u = Z, v = X, w = Y.", axes=unit.frame.words))
         _shafts(unit)
         for name in unit.along:
             if unit.train is not None and name in unit.train.wheels:
@@ -228,7 +229,8 @@ def _left_out(unit: GearUnit) -> None:
                 unit.notes.append(words)
         if unit.train.tree.first not in unit.train.wheels:
             unit.notes.append(Text("The crank is left out: no wheel turns with it."))
-    if not unit.frame.given:
-        unit.notes.append(unit.frame.words)
+    for shaft in unit.design.shafts:
+        if shaft.loads:
+            unit.notes.append(Text("What hangs on the shaft {shaft} ([[shafts.loads]]) is left out.", shaft=shaft.name))
     if unit.design.shafts:
         unit.notes.append(LEFT_OUT)

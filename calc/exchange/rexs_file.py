@@ -6,7 +6,7 @@ range each attribute stands in the file, and which relations there are.  The byt
 more before they leave: what it does not know is a fault of the program."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from math import isfinite
 from typing import Any
@@ -87,8 +87,9 @@ def pose(at: Place) -> dict[str, Content]:
 # --- written
 
 
-def file_of(model: RexsModel, date: str) -> bytes:
-    """The bytes of the file.  `date`: as ISO 8601 has it.  Raises FaultyFile."""
+def file_of(model: RexsModel, date: str, notes: Iterable[str] = ()) -> bytes:
+    """The bytes of the file.  `date`: as ISO 8601 has it; `notes`: what is said of it, as a comment at its head, which
+    no reader takes for data.  Raises FaultyFile."""
     head = {"version": _table()["version"], "applicationId": "contralbero", "applicationVersion": VERSION}
     root = Element("model", head | {"date": date, "applicationLanguage": "en"})
     relations, components = SubElement(root, "relations"), SubElement(root, "components")
@@ -102,7 +103,9 @@ def file_of(model: RexsModel, date: str) -> bytes:
         for id, content in component.attributes.items():
             _attribute(inside, id, content)
     ElementTree.indent(root, " ")
-    written = DECLARATION + ElementTree.tostring(root, encoding="unicode").encode("utf-8") + b"\n"
+    said = "".join(f" {visible(note)}\n" for note in notes).replace("--", 2 * "\N{NON-BREAKING HYPHEN}")
+    comment = f"<!--\n{said}-->\n" if said else ""
+    written = DECLARATION + f"{comment}{ElementTree.tostring(root, encoding='unicode')}\n".encode()
     if found := list(faults(written)):
         raise FaultyFile("; ".join(found))
     return written

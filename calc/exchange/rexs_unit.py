@@ -136,7 +136,8 @@ class GearUnit:
         self.model.relate("assembly", assembly=self.gear_unit, part=casing)
         law = supply.viscosity_law if supply is not None else "walther"
         self.bearing_oil = self._oil(self.design.oils[supply.oil], law) if supply is not None else None
-        self.mesh_oil = self._oil(teeth.oil, teeth.viscosity_law) if teeth is not None else None
+        meshes = self.train is not None and self.train.meshes
+        self.mesh_oil = self._oil(teeth.oil, teeth.viscosity_law) if teeth is not None and meshes else None
         if (oil := self.bearing_oil or self.mesh_oil) is not None:
             self.model.relate("reference", origin=casing, referenced=oil)
         return casing

@@ -385,6 +385,14 @@ def test_a_model_that_is_none_is_not_written():
         file_of(model, "2026-01-01T00:00:00+00:00")
 
 
+def test_what_is_said_of_a_file_stands_at_its_head():
+    model = RexsModel()
+    model.add("gear_casing", "x", temperature_lubricant=1.0)
+    file = file_of(model, "d", ("a -- b", "--->")).decode()
+    assert ElementTree.fromstring(file).tag == "model" and file.splitlines()[2].startswith(" a")
+    assert "sense of rotation is assumed" in gamma().file().decode().partition("<model")[0]
+
+
 def test_what_is_not_known_is_left_out():
     model = RexsModel()
     one = model.add("gear_casing", "x", temperature_lubricant=None, width=math.nan, length=np.float64(1.5))
