@@ -86,9 +86,11 @@ class GearUnit:
         if train is None:
             return {}
         laid = train.layout
-        there = {name: w.position for name, w in laid.wheels.items() if w.position is not None} if laid else {}
-        if laid is not None and there and there.keys() == train.wheels.keys():
-            return {**laid.sprockets, **there}
+        if laid is not None:
+            wheels = {name: w.position for name, w in laid.wheels.items() if w.position is not None}
+            places = {**laid.sprockets, **wheels}
+            if places.keys() >= set(self.along):
+                return places
         self.notes.append(IN_A_ROW)
         return in_row(train)  # whose first way, there to the right, is up here
 

@@ -294,6 +294,25 @@ def test_a_chain_and_a_split_wheel_are_named():
     assert not list(faults(model.file()))
 
 
+def test_shafts_on_chains_alone():
+    """Where their axes say; where these are not known, in a row.  The crank has no wheel, and so no shaft."""
+    text = PAIR.read_text(encoding="utf-8")
+    head, rest = text.split("[[gears.wheels]]", 1)
+    chains = "".join(
+        f'[[gears.stages]]\nname = "to-{name}"\nkind = "chain"\ndriver = "crank"\ndriven = "{name}"\ndriver_teeth = 40\n'
+        f'driven_teeth = 20\nside = "{side}"\npitch_mm = 8.0\n'
+        for name, side in (("left", "inner"), ("right", "outer"))
+    )
+    text = f"{head}{chains}\n[friction]{rest.split('[friction]')[1]}"
+    model = rexs(solved(text))
+    assert [one.name for one in model.model.of_kind("shaft")] == ["left", "right"]
+    assert named(model, "shaft", "right").attributes["support_vector"] == (-0.14, -0.06, 0.095)
+    assert any(note.startswith("The crank is left out") for note in model.notes)
+    text = "".join(line for line in text.splitlines(keepends=True) if not line.startswith("axis_mm"))
+    apart = {one.attributes["support_vector"][1:] for one in rexs(solved(text)).model.of_kind("shaft")}
+    assert len(apart) == 2 and (0.0, 0.0) not in apart
+
+
 def test_wheels_stand_where_z_says():
     """Those in mesh with one of which it is said too."""
     model = of(TRAIN, ("teeth = 38", "teeth = 38\nz_mm = 12.5"))[1]
