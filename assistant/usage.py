@@ -329,6 +329,17 @@ def export(it: argparse.ArgumentParser) -> None:
     instead = it.add_argument_group("instead of the values (--csv)").add_mutually_exclusive_group()
     instead.add_argument("--transfer", action="store_true", help="the transfer functions of the mounts")
     instead.add_argument("--map", action="store_true", help="the strikes of the gears over speed and load")
+    loads = it.add_argument_group("of the loads (--loads)")
+    loads.add_argument(
+        "--speeds",
+        metavar="LO:HI:STEP",
+        help="of the crank, in rpm (default: from idle to rated speed in ten steps)",
+    )
+    loads.add_argument(
+        "--variant",
+        choices=("half", "shaft", "scatter", "tooth"),
+        help="of the balancing: without shafts, as designed, as they scatter, one tooth off (default: shaft)",
+    )
     output_option(
         it, "PATH", "the file; without a kind its ending decides; -: standard output, with a kind", required=True
     )

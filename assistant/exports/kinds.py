@@ -118,6 +118,14 @@ KINDS: dict[str, FileKind] = {
             options=("shaft", "drilled"),
         ),
         FileKind("rexs", "rexs", ("rexs",), Text("the train for gear programs, REXS 1.7")),
+        FileKind(
+            "loads",
+            "loads",
+            ("csv", "json"),
+            Text("the loads for finite elements and multi-body programs"),
+            alone=False,
+            options=("speeds", "variant"),
+        ),
     )
 }
 
