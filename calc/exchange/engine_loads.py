@@ -16,7 +16,7 @@ from ..mounting.wrenches import TOOTH, EngineWrenches, ShaftOnEngine, drive
 from ..sheet.record import replace
 from ..sheet.text import Text
 from ..sheet.units import RevPerSecond
-from .load_rows import Book, Load
+from .load_rows import Book, LoadRow
 
 HALF = "half"
 AT_ORIGIN = 0.0, 0.0, 0.0
@@ -43,7 +43,7 @@ def variant_of(driven: EngineWrenches, asked: str) -> str | None:
     return max(driven.off, key=lambda name: float(np.linalg.norm(at_orders[driven.variants.index(name)])))
 
 
-def engine_rows(book: Book, driven: EngineWrenches, speeds: Sequence[RevPerSecond]) -> Iterator[Load]:
+def engine_rows(book: Book, driven: EngineWrenches, speeds: Sequence[RevPerSecond]) -> Iterator[LoadRow]:
     """Of masses and gas about the origin, half of the reciprocating masses on the crank."""
     at = np.array(speeds)
     wrench = np.asarray(driven.wrench(at, driven.torque(at)))[:, :, driven.variants.index(HALF)]
@@ -53,10 +53,10 @@ def engine_rows(book: Book, driven: EngineWrenches, speeds: Sequence[RevPerSecon
         for order, six in zip(driven.orders.tolist(), of_speed):
             if any(six):
                 force, moment = book.frame.vector(*six[:3]), book.frame.moment(*six[3:])
-                yield Load(speed, "engine", "origin", "block", order, AT_ORIGIN, force, moment)
+                yield LoadRow(speed, "engine", "origin", "block", order, AT_ORIGIN, force, moment)
 
 
-def mount_rows(book: Book, result: MountingResult, variant: str, speeds: Sequence[RevPerSecond]) -> Iterator[Load]:
+def mount_rows(book: Book, result: MountingResult, variant: str, speeds: Sequence[RevPerSecond]) -> Iterator[LoadRow]:
     """What each mount does to what it stands on."""
     driven, mounting, at = result.drive, result.system.mounting, np.array(speeds)
     of, v = levels(result.system, driven, at, driven.torque(at)), driven.variants.index(variant)
@@ -66,12 +66,14 @@ def mount_rows(book: Book, result: MountingResult, variant: str, speeds: Sequenc
     for n, speed in enumerate(speeds):
         for i, order in enumerate(driven.orders.tolist()):
             rows = [
-                Load(speed, "mount", name, "chassis", order, place, book.frame.vector(*force[n, j, :, i].tolist()))
+                LoadRow(speed, "mount", name, "chassis", order, place, book.frame.vector(*force[n, j, :, i].tolist()))
                 for j, (name, place) in enumerate(places)
                 if force[n, j, :, i].any()
             ]
             passed_on = book.frame.vector(*F[n, i].tolist()), book.frame.moment(*M[n, i].tolist())
             book.closed(
-                "mounts: what the mounting step passes on", rows, [Load(speed, "", "", "", order, centre, *passed_on)]
+                "mounts: what the mounting step passes on",
+                rows,
+                [LoadRow(speed, "", "", "", order, centre, *passed_on)],
             )
             yield from rows

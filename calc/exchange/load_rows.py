@@ -13,11 +13,11 @@ from ..sheet.units import RevPerSecond
 from .frame import Frame, Vector
 
 NOTHING: Vector = (0j, 0j, 0j)
-Place = tuple[float | None, float | None, float]  # X, Y, Z in m; None: not known
+LoadPlace = tuple[float | None, float | None, float]  # X, Y, Z in m; None: not known
 
 
 @record
-class Load:
+class LoadRow:
     """One row.  `speed` of the crank; `place`: the point by its name; `on`: the body that the force acts on; `force`,
     N, and `moment` about the point, N·m, are phasors along the axes of the file, of order 0 real."""
 
@@ -26,7 +26,7 @@ class Load:
     place: str
     on: str
     order: float
-    at: Place
+    at: LoadPlace
     force: Vector
     moment: Vector = NOTHING
 
@@ -42,11 +42,11 @@ class Book:
     notes: dict[str, Text] = field(default_factory=dict)
     sums: dict[str, float] = field(default_factory=dict)
 
-    def place(self, axis: complex | None, z: float) -> Place:
+    def place(self, axis: complex | None, z: float) -> LoadPlace:
         """A point at z on an axis beside the crank, up + i·side; None: it is not known where."""
         return (None, None, z) if axis is None else self.frame.place(float(axis.real), float(axis.imag), z)
 
-    def closed(self, what: str, rows: Sequence[Load], asked: Sequence[Load]) -> None:
+    def closed(self, what: str, rows: Sequence[LoadRow], asked: Sequence[LoadRow]) -> None:
         """Keeps by how much the rows of one order differ from others that they shall equal in force and in moment about
         the origin."""
         pairs = zip(("force", "moment about the origin"), total(rows), total(asked))
@@ -56,7 +56,7 @@ class Book:
             self.sums[f"{what}, {name}"] = max(self.sums.get(f"{what}, {name}", 0.0), off)
 
 
-def total(rows: Sequence[Load]) -> tuple[Vector, Vector]:
+def total(rows: Sequence[LoadRow]) -> tuple[Vector, Vector]:
     """Force, and moment about the origin; what has no known place across the engine stands on the crank's axis."""
     F, M = np.zeros(3, dtype=complex), np.zeros(3, dtype=complex)
     for row in rows:

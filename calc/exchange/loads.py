@@ -25,7 +25,7 @@ from ..sheet.value import recorded
 from ..solve import Results, solve
 from .engine_loads import HALF, about_origin, engine_rows, mount_rows, variant_of
 from .frame import Frame, frame_of
-from .load_rows import Book, Load
+from .load_rows import Book, LoadRow
 from .mesh_loads import MeshForce, mesh_rows, meshes, orders_of
 from .shaft_loads import ShaftAtSpeed
 from .shaft_rows import ShaftRows
@@ -43,7 +43,7 @@ class Loads:
     on what some of them stand; `sums`: by what was added up, by how much it does not close, as a share of the largest
     part."""
 
-    rows: tuple[Load, ...]
+    rows: tuple[LoadRow, ...]
     frame: Frame
     variant: Text
     left_out: tuple[Text, ...]
@@ -105,7 +105,7 @@ class _AtSpeeds:
         self.shafts: tuple[ShaftOnEngine, ...] = h.shafts_on_engine(self.design, self.of_shafts, results.gears)
         self.driven = about_origin(self.design, e, i, self.shafts)
 
-    def moving(self, speeds: tuple[RevPerSecond, ...], off: Variant) -> Iterator[Load]:
+    def moving(self, speeds: tuple[RevPerSecond, ...], off: Variant) -> Iterator[LoadRow]:
         """Shafts and gears, at each speed of the design as it is there."""
         design, train = self.design, self.results.train
         orders = orders_of(self.book, train, speeds) if train is not None else None

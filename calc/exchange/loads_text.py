@@ -11,7 +11,7 @@ from ..sheet.text import Name, Text
 from ..sheet.version import VERSION
 from ..sheet.visible import visible
 from .frame import number
-from .load_rows import Load
+from .load_rows import LoadRow
 from .loads import CLOSES, Loads
 
 AXES = "XYZ"
@@ -87,7 +87,7 @@ def csv_text(loads: Loads, design: str, sha256: str, say: Say = str) -> str:
     return file.getvalue()
 
 
-def _cells(row: Load) -> list[str]:
+def _cells(row: LoadRow) -> list[str]:
     cells = [_rpm(row), row.kind, row.place, row.on, number(row.order)]
     cells += ["" if part is None else number(part * 1e3) for part in row.at]
     for part in (*row.force, *row.moment):
@@ -123,7 +123,7 @@ def json_text(loads: Loads, design: str, sha256: str, say: Say = str) -> str:
     return json.dumps(of, ensure_ascii=False, indent=1) + "\n"
 
 
-def _rpm(row: Load) -> str:
+def _rpm(row: LoadRow) -> str:
     """As it was asked for: what the way from rpm and back has added in the last digit is taken off."""
     return number(round(row.speed * 60, 9))
 

@@ -16,7 +16,7 @@ from ..sheet.arrays import BoolArray, ComplexArray
 from ..sheet.record import record
 from ..sheet.text import COMMA, Name, Text
 from ..sheet.units import Metre, Newton, Number, PhasorMetre, PhasorNewton, Radian, RevPerSecond
-from .load_rows import Book, Load
+from .load_rows import Book, LoadRow
 
 HIGHEST = 8.0  # order, as of the engine
 
@@ -136,7 +136,7 @@ def orders_of(book: Book, train: TrainResult, speeds: Sequence[RevPerSecond]) ->
 
 def mesh_rows(
     book: Book, key: str, force: MeshForce, z: Metre, speed: RevPerSecond, orders: dict[float, complex]
-) -> Iterator[Load]:
+) -> Iterator[LoadRow]:
     """On the driver and on the driven wheel: what is transmitted, and `orders` along the line of action."""
     mesh, turn = force.mesh, book.frame.turn
     at = book.frame.place(force.at.real, force.at.imag, z)
@@ -145,4 +145,4 @@ def mesh_rows(
     for order, (up, side, thrust) in every.items():
         for wheel, sign in ((mesh.driver, 1.0), (mesh.driven, -1.0)):
             vector = book.frame.vector(sign * up, sign * side, sign * thrust * turn)
-            yield Load(speed, "mesh", key, f"wheel {wheel}", order, at, vector)
+            yield LoadRow(speed, "mesh", key, f"wheel {wheel}", order, at, vector)

@@ -67,7 +67,7 @@ class ShaftAtSpeed:
 
 
 @record
-class Turning:
+class TurningForces:
     """`forces` on the block by the bearing; `inertia`: what the bent shaft itself adds to them, with the opposite sign;
     `outline`: what its outline has more than its masses, likewise; so that all together are `total`, ω² times the
     unbalance of masses and further elements.  None: nothing."""
@@ -78,7 +78,7 @@ class Turning:
     total: Wrench
 
 
-def turning(of: ShaftAtSpeed, s: Number = 0.0, delta: Radian = 0.0) -> Turning:
+def turning(of: ShaftAtSpeed, s: Number = 0.0, delta: Radian = 0.0) -> TurningForces:
     """The forces of a shaft that is late by `delta` (of its own angle), its couple too large by the share `s`.
 
     Two plain bearings carry by levers, which is statics alone and grows with the square of speed; others what judges
@@ -112,7 +112,7 @@ def turning(of: ShaftAtSpeed, s: Number = 0.0, delta: Radian = 0.0) -> Turning:
         first, last = next(iter(places)), next(reversed(places))
         forces[first] -= more / (places[last] - places[first])
         forces[last] += more / (places[last] - places[first])
-    return Turning(forces, both(inertia), both(outline), (turned(F_S), turned(C_S) + more))
+    return TurningForces(forces, both(inertia), both(outline), (turned(F_S), turned(C_S) + more))
 
 
 def _shared(of: ShaftAtSpeed) -> tuple[list[complex], ComplexArray] | None:
@@ -163,7 +163,7 @@ class OnWheel:
 
 
 @record
-class Standing:
+class StandingForces:
     """`weight` of the shaft, N, and where along it; of each bearing the share of the weight, the force of the teeth,
     and the friction torque in the sense in which the shaft turns; None: not known."""
 
@@ -173,7 +173,7 @@ class Standing:
     friction: Mapping[str, NewtonMetre]
 
 
-def standing(of: ShaftAtSpeed, wheel: OnWheel | None, losses: Mapping[str, float]) -> Standing:
+def standing(of: ShaftAtSpeed, wheel: OnWheel | None, losses: Mapping[str, float]) -> StandingForces:
     """`losses`: of the journals, W."""
     result, places = of.result, of.places
     known, stands = None, None
@@ -185,7 +185,7 @@ def standing(of: ShaftAtSpeed, wheel: OnWheel | None, losses: Mapping[str, float
     weights = None if known is None else _weights(places, known, stands)
     teeth = None if wheel is None else _teeth(places, wheel, stands)
     friction = {name: P / float(result.omega) for name, P in losses.items()}
-    return Standing(known, weights, teeth, friction)
+    return StandingForces(known, weights, teeth, friction)
 
 
 def _weights(

@@ -11,9 +11,9 @@ from ..sheet.record import record
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Number, Radian, RevPerSecond, Watt
 from .frame import Vector
-from .load_rows import NOTHING, Book, Load
+from .load_rows import NOTHING, Book, LoadRow
 from .mesh_loads import MeshForce
-from .shaft_loads import OnWheel, ShaftAtSpeed, Turning, Wrench, standing, turning
+from .shaft_loads import OnWheel, ShaftAtSpeed, TurningForces, Wrench, standing, turning
 
 
 @record
@@ -33,7 +33,7 @@ class ShaftRows:
         losses: Mapping[str, Watt],
         train: TrainResult | None,
         teeth: Mapping[str, MeshForce | None],
-    ) -> Iterator[Load]:
+    ) -> Iterator[LoadRow]:
         """`off`: by how much the couple is too large and the shaft is late; `losses`: of its journals; `teeth`: of the
         meshes of the train."""
         if self.shaft.axis is None:
@@ -47,15 +47,15 @@ class ShaftRows:
     def name(self) -> str:
         return self.shaft.name
 
-    def _row(self, kind: str, place: str, order: float, z: float, force: Vector, moment: Vector = NOTHING) -> Load:
+    def _row(self, kind: str, place: str, order: float, z: float, force: Vector, moment: Vector = NOTHING) -> LoadRow:
         on = "block" if kind == "bearing" else f"shaft {self.name}"
         if kind == "bearing" and self.several:
             place = f"{self.name}.{place}"
-        return Load(self.speed, kind, place, on, order, self.book.place(self.shaft.axis, z), force, moment)
+        return LoadRow(self.speed, kind, place, on, order, self.book.place(self.shaft.axis, z), force, moment)
 
     # --- what turns
 
-    def _turning(self, found: Turning) -> Iterator[Load]:
+    def _turning(self, found: TurningForces) -> Iterator[LoadRow]:
         order, places, name = self.shaft.order, self.shaft.places, self.name
         rows = [self._row("bearing", of, order, places[of], *self._rotating((F, 0j))) for of, F in found.forces.items()]
         for place, wrench in ((name, found.inertia), (f"{name}.outline", found.outline)):
@@ -90,7 +90,7 @@ class ShaftRows:
 
     # --- what stands still
 
-    def _standing(self, losses: Mapping[str, Watt], wheel: OnWheel | None) -> Iterator[Load]:
+    def _standing(self, losses: Mapping[str, Watt], wheel: OnWheel | None) -> Iterator[LoadRow]:
         """Of each bearing its share of weight and teeth, its friction torque and, where it locates the shaft, the
         thrust."""
         found, name, frame = standing(self.shaft, wheel, losses), self.name, self.book.frame

@@ -10,14 +10,14 @@ import pytest
 
 from calc.design.predicted import at_speed
 from calc.design.toml_file import design, load_design, parse
-from calc.exchange.loads import default_speeds, loads, variants
+from calc.exchange.loads import KINDS, default_speeds, loads, variants
 from calc.exchange.loads_text import amplitude_and_phase, csv_text, json_text
-from calc.exchange.mesh_loads import on_driver
+from calc.exchange.mesh_loads import mesh_orders, meshes, on_driver
 from calc.sheet.record import replace
 from calc.sheet.value import recorded
 from calc.solve import solve
 from tests.calc.exchange.loads_table import read, signal
-from tests.conftest import DESIGNS, GAMMA, ROOT
+from tests.conftest import DESIGNS, GAMMA, ROOT, each_shipped
 
 GIVEN = json.loads((ROOT / "tests" / "reference" / "loads.json").read_text())["given"]
 AT_SPEED = [row for row in GIVEN if "rpm" in row["quantity"]]
@@ -324,6 +324,31 @@ def test_three_bearings_and_a_mirror_image():
     assert len([words for words in found.notes if "outline" in words]) == 2
 
 
+# --- the teeth over a turn
+
+
+def test_the_orders_of_a_mesh_are_its_force_over_the_cycle():
+    """While flanks stay closed: from the least to the most force of the drive, at the line of action."""
+    design = load_design(DESIGNS / "r754ie4_balance_shafts.toml")
+    with recorded(False):
+        train = solve(design).train
+    found = mesh_orders(train.drive, [50.0])
+    force_of = {key: force for key, force in meshes(train, design.gears.hands()).items() if force is not None}
+    assert len(force_of) == 5
+    epsilon = np.linspace(0, 4 * math.pi, 2881)
+    for key, mesh in train.meshes.items():
+        assert not found.part[key][0]
+        at_rated = mesh.over_speed.operations["rated"]
+        over = sum(np.real(F * np.exp(1j * order * epsilon)) for order, F in found.at(key, 0).items())
+        swing = at_rated.most_force - at_rated.least_force
+        assert over.max() - over.min() == pytest.approx(swing, rel=1e-3)
+        up, side, thrust = force_of[key].of(100.0)  # of a force along the line of action: all of it across the axis
+        assert math.hypot(up, side) == pytest.approx(100.0)
+        assert abs(thrust) == pytest.approx(
+            100.0 * math.cos(mesh.working_pressure_angle) * math.tan(mesh.working_helix_angle)
+        )
+
+
 # --- mounts
 
 
@@ -399,6 +424,19 @@ def test_both_formats_say_the_same_and_twice_the_same():
     assert any(line == "# sha256: abc" for line in heads)
     assert sum("closes to" in line for line in heads) == len(found.sums)
     assert of["frame"]["sum_check"] and of["frame"]["not_in_it"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", each_shipped())
+def test_sums_close_in_the_files_of_all_shipped_designs(path):
+    design = load_design(path)
+    if design.engine is None:
+        pytest.skip("no engine")
+    results = solve(design)
+    for variant in variants(results):
+        found = loads(results, default_speeds(design), variant)
+        assert found.closes and found.rows, (variant, found.sums)
+        assert {row.kind for row in found.rows} <= set(KINDS)
 
 
 def test_cells_of_a_phasor():
