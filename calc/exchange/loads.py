@@ -134,7 +134,12 @@ class _AtSpeeds:
             if not isinstance(found, BearingsResult):
                 found = None
                 if self.design.bearings is not None:
-                    self._unsolved(Text("the bearings of {shaft}", shaft=Name(shaft.name)), speed)
+                    self.book.notes[f"rigid {shaft.name} {speed}"] = Text(
+                        "the bearings of {shaft} have no solution at {speed}: the rows are those of rigid ones without "
+                        "friction",
+                        shaft=Name(shaft.name),
+                        speed=_rpm(speed),
+                    )
             elif shaft.how == "mirrors" and "bearings" in own:
                 found = turned_over(found)
             yield ShaftAtSpeed(shaft, result, found, self._axis(shaft.name, h.axis_of(shaft.inputs), other))
@@ -178,8 +183,12 @@ class _AtSpeeds:
         return 0.0
 
     def _unsolved(self, what: Text, speed: RevPerSecond) -> None:
-        at = Amount(speed * 60, "rpm", form="g")
-        self.book.left_out[f"{what} {speed}"] = Text("{what} at {speed}: there is no solution", what=what, speed=at)
+        words = Text("{what} at {speed}: there is no solution", what=what, speed=_rpm(speed))
+        self.book.left_out[f"{what} {speed}"] = words
+
+
+def _rpm(speed: RevPerSecond) -> Amount:
+    return Amount(speed * 60, "rpm", form="g")
 
 
 def _outcomes(results: Results) -> dict[str, Outcome[CountershaftResult]]:

@@ -4,7 +4,7 @@
 import csv
 import json
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from io import StringIO
 
 from ..sheet.text import Name, Text
@@ -106,21 +106,23 @@ def amplitude_and_phase(phasor: complex, order: float) -> tuple[str, str]:
 
 
 def json_text(loads: Loads, design: str, sha256: str, say: Say = str) -> str:
-    rows = [
-        {
-            "speed_rpm": float(_rpm(row)),
-            "kind": row.kind,
-            "place": row.place,
-            "on": row.on,
-            "order": float(row.order),
-            "at_mm": [None if part is None else _plain(part * 1e3) for part in row.at],
-            "force_N": _pairs(row.force),
-            "moment_Nm": _pairs(row.moment),
-        }
-        for row in loads.rows
-    ]
-    of: Mapping[str, object] = {"frame": head(loads, design, sha256, say), "rows": rows}
-    return json.dumps(of, ensure_ascii=False, indent=1) + "\n"
+    """A row stands in a line."""
+    above = json.dumps(head(loads, design, sha256, say), ensure_ascii=False, indent=1)
+    rows = ",\n".join(json.dumps(_object(row), ensure_ascii=False) for row in loads.rows)
+    return f'{{\n"frame": {above},\n"rows": [\n{rows}\n]\n}}\n'
+
+
+def _object(row: LoadRow) -> dict[str, object]:
+    return {
+        "speed_rpm": float(_rpm(row)),
+        "kind": row.kind,
+        "place": row.place,
+        "on": row.on,
+        "order": float(row.order),
+        "at_mm": [None if part is None else _plain(part * 1e3) for part in row.at],
+        "force_N": _pairs(row.force),
+        "moment_Nm": _pairs(row.moment),
+    }
 
 
 def _rpm(row: LoadRow) -> str:

@@ -76,6 +76,12 @@ class ShaftRows:
                 off=Amount(100 * off, "%", form=".2g"),
                 speed=Amount(self.speed * 60, "rpm", form="g"),
             )
+        if found.inertia is not None and any(row.load is not None for row in self.shaft.shaft.inputs.bearings):
+            self.book.notes[f"given {name}"] = Text(
+                "loads that are given for bearings of {shaft} have no direction: their rows are those of the bent shaft "
+                "on rigid bearings",
+                shaft=Name(name),
+            )
         asked = self._row("", "", order, 0.0, *self._rotating(found.total))
         self.book.closed(f"shaft {name}, order {order:g}: ω² times its unbalance", rows, [asked])
         yield from rows

@@ -370,6 +370,20 @@ def test_mounts_pass_on_what_the_mounting_step_has():
     assert [row.kind for row in driving] == ["engine"]
 
 
+def test_engine_and_bearings_are_what_the_mounts_have_to_take():
+    """All rows on the block of an order, about the centre of gravity, are the wrench that drives the mounting step."""
+    rows, results, _ = made("twin_mounting", (3000,))
+    driven = results.mounting.result.drive
+    wrench = driven.wrench(np.array([50.0]), driven.torque(np.array([50.0])))[0, :, driven.variants.index("shaft")]
+    r_G = np.array(results.design.mounting.centre_of_gravity)
+    size = np.abs(wrench).max()
+    for order, six in zip(driven.orders, wrench):
+        mine = [row for row in picked(rows, order=order) if row.kind in ("engine", "bearing")]
+        force = sum((row.force for row in mine), np.zeros(3))
+        moment = sum((row.moment_about_origin() for row in mine), np.zeros(3)) - np.cross(r_G, force)
+        assert np.abs(np.concatenate([force, moment]) - six).max() < 1e-9 * size
+
+
 def test_mounts_of_other_variants_and_shafts_that_are_off():
     assert variants(made("twin_mounting", (3000,))[1]) == ("half", "shaft", "scatter")
     by = {name: made("twin_mounting", (3000,), name)[0] for name in ("half", "shaft", "scatter")}
