@@ -8,6 +8,7 @@ design at each speed."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 
 from ..bearings.result import BearingsResult
 from ..bearings.sharing import turned_over
@@ -27,6 +28,7 @@ from .engine_loads import HALF, about_origin, engine_rows, mount_rows, variant_o
 from .frame import Frame, frame_of
 from .load_rows import Book, LoadRow
 from .mesh_loads import MeshForce, mesh_rows, meshes, orders_of
+from .planes import wheel_planes
 from .shaft_loads import ShaftAtSpeed
 from .shaft_rows import ShaftRows
 
@@ -119,8 +121,9 @@ class _AtSpeeds:
             for key, force in teeth.items():
                 if force is not None:
                     amounts = orders.at(key, n) if orders is not None else {}
-                    plane = self._plane(force.mesh.driver, force.mesh.driven)
-                    yield from mesh_rows(self.book, key, force, plane, speed, amounts)
+                    yield from mesh_rows(
+                        self.book, key, force, self._planes.get(force.mesh.driver, 0.0), speed, amounts
+                    )
 
     def _shafts_at(self, other: Results, speed: RevPerSecond) -> Iterator[ShaftAtSpeed]:
         for shaft in h.turning(self.design):
@@ -169,18 +172,18 @@ class _AtSpeeds:
             self.book.notes["speed"] = Text("the gears turn at gears.speed_rpm at every speed of the crank")
         return found
 
-    def _plane(self, *wheels: str) -> Metre:
-        """Where a mesh stands along the engine: with the wheel of the shaft that it leads to."""
-        train, planes = self.results.train, dict[str, float]()
+    @cached_property
+    def _planes(self) -> dict[str, Metre]:
+        """Where the wheels stand along the engine."""
+        train, on_shafts = self.results.train, dict[str, Metre]()
         for name, turn in train.shafts.items() if train is not None else ():
             outcome = self.of_shafts.get(name)
             if outcome is not None and outcome.solution.wheel is not None:
-                planes[turn.wheel] = float(outcome.solution.wheel)
-        for wheel, z in planes.items():
-            if wheel in wheels or (train is not None and any(link.driven in wheels for link in train.tree.way(wheel))):
-                return z
-        self.book.notes["plane"] = Text("where the gears stand along the engine is not known: Z of their rows is 0")
-        return 0.0
+                on_shafts[turn.wheel] = float(outcome.solution.wheel)
+        planes = wheel_planes(self.design, train, on_shafts) if train is not None else {}
+        if not planes:
+            self.book.notes["plane"] = Text("where the gears stand along the engine is not known: Z of their rows is 0")
+        return planes
 
     def _unsolved(self, what: Text, speed: RevPerSecond) -> None:
         words = Text("{what} at {speed}: there is no solution", what=what, speed=_rpm(speed))

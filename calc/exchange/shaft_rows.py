@@ -78,8 +78,8 @@ class ShaftRows:
             )
         if found.inertia is not None and any(row.load is not None for row in self.shaft.shaft.inputs.bearings):
             self.book.notes[f"given {name}"] = Text(
-                "loads that are given for bearings of {shaft} have no direction: their rows are those of the bent shaft "
-                "on rigid bearings",
+                "loads that are given for bearings of {shaft} have no direction: their rows are those of the bent "
+                "shaft on rigid bearings",
                 shaft=Name(name),
             )
         asked = self._row("", "", order, 0.0, *self._rotating(found.total))
