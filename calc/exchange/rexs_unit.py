@@ -17,6 +17,7 @@ from ..sheet.text import Text
 from ..sheet.units import Metre
 from ..solve import Results
 from .frame import frame_of
+from .planes import wheel_planes
 from .rexs_file import Component, Place, RexsModel, pose
 
 IN_A_ROW = Text(
@@ -95,23 +96,18 @@ class GearUnit:
         return in_row(train)  # whose first way, there to the right, is up here
 
     def _middles(self) -> Mapping[str, Metre]:
-        """Of each wheel: as given or its shaft's, else that of a wheel in mesh with it, else that of the first one that
-        is known."""
+        """Of each wheel and sprocket."""
         if self.train is None or self.design.gears is None:
             return {}
-        z = {wheel.name: wheel.z for wheel in self.design.gears.wheels if wheel.z is not None}
+        on_shafts: dict[str, Metre] = {}
         for shaft in self.design.resolved:
             solved, carrier = self.solved(shaft), self.carrier(shaft)
             if carrier and solved is not None and solved.wheel is not None:
-                z.setdefault(carrier, solved.wheel)
-        pairs = [(mesh.driver, mesh.driven) for mesh in self.train.meshes.values()]
-        for pair in pairs * len(pairs):
-            for a, b in (pair, pair[::-1]):
-                if a in z:
-                    z.setdefault(b, z[a])
-        if not z and self.train.wheels:
+                on_shafts.setdefault(carrier, float(solved.wheel))
+        planes = wheel_planes(self.design, self.train, on_shafts)
+        if not planes and self.train.wheels:
             self.notes.append(AT_MID_ENGINE)
-        return {name: z.get(name, next(iter(z.values()), 0.0)) for name in self.along}
+        return {name: planes.get(name, next(iter(planes.values()), 0.0)) for name in self.along}
 
     # --- what there is once
 
