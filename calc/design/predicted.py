@@ -17,6 +17,7 @@ from ..sheet.quantity import Published, Quantity, dotted, keys
 from ..sheet.record import replace
 from ..sheet.step import Outcome, Table
 from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
+from ..sheet.units import RevPerSecond
 from .model import Design
 from .other_tables import Measured
 
@@ -43,7 +44,7 @@ NOTE = Text(
 
 class Predicted:
     """What a design gives at the speeds of its measurements, each solved once.  `at` solves a design and gives its
-    values."""
+    values.  A row without a speed is one of the design as it stands."""
 
     def __init__(self, design: Design, values: Values, at: Callable[[Design], Values]) -> None:
         self._design, self._values, self._at = design, values, at
@@ -52,12 +53,12 @@ class Predicted:
     def of(self, row: Measured) -> tuple[float | None, Text]:
         """The value of a row in its unit, or None and why there is none: of an input what the design takes."""
         speed, engine = row.speed, self._design.engine
-        if speed is None or engine is None or speed == engine.rated_speed:
+        if speed is None or engine is None or as_it_stands(self._design, speed):
             return _predicted(row, self._design, self._values)
         if (
             row.value not in self._values
             and _input(self._design, row.value) is not None
-            and not _of_bench(row.value, self._design, speed)
+            and not (row.value in BENCH and engine.gallery)
         ):
             return None, Text("is an input of no speed of its own: leave speed_rpm out")
         if speed not in self._solved:
@@ -169,22 +170,31 @@ def _at(design: Design, address: str) -> tuple[object, Quantity | None]:
     return here, about
 
 
-BENCH = {
-    dotted(Design.bearings, BearingsInputs.supply_temperature): "oil_temperature",
-    dotted(Design.bearings, BearingsInputs.supply_pressure): "oil_pressure",
-}
+BENCH = (
+    dotted(Design.bearings, BearingsInputs.supply_temperature),
+    dotted(Design.bearings, BearingsInputs.supply_pressure),
+)  # the inputs whose content at a speed is that of the engine's bench run
 
 
-def _of_bench(address: str, design: Design, speed: float) -> bool:
-    """Whether the engine's bench run says what an input is at a speed."""
-    speeds = [row.speed for row in design.engine.gallery] if design.engine is not None else []
-    return address in BENCH and bool(speeds) and min(speeds) <= speed <= max(speeds)
+def as_it_stands(design: Design, speed: RevPerSecond) -> bool:
+    """Whether a design at this speed of its engine is the very design: at the rated one, unless its oil there is that
+    of the bench run."""
+    engine = design.engine
+    if engine is None or speed != engine.rated_speed:
+        return engine is None
+    speeds = [row.speed for row in engine.gallery] if design.bearings is not None else []
+    return not speeds or not min(speeds) <= speed <= max(speeds)
 
 
-def at_speed(design: Design, speed: float, values: Values) -> Design:
-    """The design at another speed of its engine: clearances as they were made, oil as the bench run had it there."""
+def at_speed(design: Design, speed: RevPerSecond, values: Values) -> Design:
+    """The design at a speed of its engine: clearances as they were made, oil as the bench run had it there, below and
+    above the run as at its nearest row; at a rated speed outside of the run the oil stays as it is given.
+
+    `values`: those of the design, of which the clearances are taken."""
     assert design.engine is not None
-    engine, bearings = replace(design.engine, rated_speed=speed, rated_power=None), design.bearings
+    rated = design.engine.rated_speed
+    power = design.engine.rated_power if speed == rated else None  # which is that of no other speed
+    engine, bearings = replace(design.engine, rated_speed=speed, rated_power=power), design.bearings
     changed = replace(design, engine=engine, measured=())
     if bearings is None:
         return changed
@@ -193,13 +203,12 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
         clearances = [values.get(dotted(ids, row.name, PlainResult.clearance)) for row in view.rows]
         if view.own is not None:
             changed = changed.with_shaft(replace(view.own, bearings=tuple(map(_as_made, view.rows, clearances))))
-    if design.engine.gallery:
+    if design.engine.gallery and not as_it_stands(design, speed):
         run = sorted(design.engine.gallery, key=lambda row: row.speed)
-        if run[0].speed <= speed <= run[-1].speed:
-            speeds = [row.speed for row in run]
-            temperature = float(np.interp(speed, speeds, [row.oil_temperature for row in run]))
-            pressure = float(np.interp(speed, speeds, [row.oil_pressure for row in run]))
-            bearings = replace(bearings, supply_temperature=temperature, supply_pressure=pressure)
+        speeds = [row.speed for row in run]
+        temperature = float(np.interp(speed, speeds, [row.oil_temperature for row in run]))
+        pressure = float(np.interp(speed, speeds, [row.oil_pressure for row in run]))
+        bearings = replace(bearings, supply_temperature=temperature, supply_pressure=pressure)
     return replace(changed, bearings=bearings)
 
 

@@ -61,6 +61,38 @@ def test_at_another_speed_the_clearance_stays_and_the_oil_is_that_of_the_bench()
     assert rows[2][7] == "an input, taken as 2.4 bar"
 
 
+FLOW = "bearings.front.oil_flow"
+
+
+def test_below_the_bench_run_its_nearest_row_holds():
+    """No jump at its end, where the oil of the rated speed was taken."""
+    below, first, above = (
+        table({"value": FLOW, "speed_rpm": n, "is": 1.0, "unit": "L/min"}).rows[0][4] for n in (1249, 1251, 1253)
+    )
+    assert below < first < above and above - below < 0.01 * first
+
+
+def test_at_the_rated_speed_the_oil_is_that_of_the_bench_run_where_it_covers_that():
+    gamma = measured()
+    rated = at_speed(gamma, gamma.engine.rated_speed, {})
+    assert rated.bearings.supply_temperature == pytest.approx(110.5 + (2646 - 2600) / (2646 - 2547) * 6.7)
+    assert rated.engine.rated_power == 50e3
+    row = {"value": FLOW, "speed_rpm": 2600, "is": 1.0, "unit": "L/min"}
+    near = {**row, "speed_rpm": 2599.99}
+    at_rated, beside = (table(each).rows[0][4] for each in (row, near))
+    assert at_rated == pytest.approx(beside, rel=1e-4)
+    without = {key: x for key, x in row.items() if key != "speed_rpm"}  # the design as it stands
+    assert table(without).rows[0][4] == pytest.approx(solve(gamma).values()[FLOW].shown, rel=1e-9)
+    assert table(without).rows[0][4] > at_rated * 1.05
+
+
+def test_outside_of_the_bench_run_the_rated_speed_has_the_oil_that_is_given():
+    short = measured(**{"engine.bench": GAMMA.data["engine"]["bench"][3:]})
+    rated = at_speed(short, short.engine.rated_speed, {})
+    assert rated.bearings.supply_temperature == short.bearings.supply_temperature
+    assert at_speed(short, 2500 / 60, {}).bearings.supply_temperature == 118.6
+
+
 def test_the_film_of_another_speed_is_that_of_the_curve_over_speeds():
     """Both take the clearance as made and the oil of the bench run."""
     thinnest = solve(design(GAMMA)).values()["bearings.front.thinnest_film"].shown
@@ -78,6 +110,10 @@ def test_the_film_of_another_speed_is_that_of_the_curve_over_speeds():
         ),
         (
             {"value": "bearings.supply_temperature_C", "speed_rpm": 500, "is": 1.0, "unit": "°C"},
+            "an input, taken as 110.3 °C",  # that of the nearest row of the bench run
+        ),
+        (
+            {"value": "bearings.hole_diameter_mm", "speed_rpm": 500, "is": 4.0, "unit": "mm"},
             "is an input of no speed of its own: leave speed_rpm out",
         ),
         ({"value": "bearings.front.film", "speed_rpm": 29999, "is": 1.0, "unit": "µm"}, "is not known at this speed"),
