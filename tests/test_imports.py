@@ -134,6 +134,7 @@ ROOMS = (
     "bearings",
     "friction",
     "mounting",
+    "measurements",
     "design",
     "solve",
     "exchange",

@@ -2,6 +2,8 @@
 """How large, how deep and how long at most: what the program reads, computes and waits for.  SECURITY.md prints these
 tables."""
 
+from ..measurements.inputs import BYTES, NODES
+from ..measurements.inputs import ROWS as ROWS_OF_RUN
 from ..sheet.errors import SHOWN_ERRORS
 from ..sheet.toml_scan import DEPTH, ENTRIES
 
@@ -62,6 +64,9 @@ TABLES: dict[str, dict[str, int]] = {
         "bytes of a logo": LOGO_BYTES,
         "pixels of a logo, either way": LOGO_SIDE,
         "bytes of a front": FRONT_BYTES,
+        "bytes of the file of a run": BYTES,
+        "rows of it": ROWS_OF_RUN,
+        "nodes, at each of which the design is solved": NODES,
     },
     "a table of designs (`sweep --list`)": {
         "bytes, of a regular file": LIST_BYTES,

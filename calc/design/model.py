@@ -4,9 +4,10 @@ in solve.py."""
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import field
 from difflib import get_close_matches
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from ..bearings.inputs import OF_ROWS, BearingsInputs
 from ..bearings.plain.materials import application_problem, applications, bushes
@@ -21,7 +22,9 @@ from ..gears.inputs import ONLY, GearsInputs
 from ..gears.wheel_inputs import Wheel
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.catalogue import Material, Oil, materials, oils
+from ..measurements.inputs import Condition, MeasuredColumn, Measurement
 from ..mounting.inputs import RESERVED, MountingInputs
+from ..sheet.inputs_at import content_at
 from ..sheet.quantity import (
     Quantity,
     day,
@@ -40,6 +43,9 @@ from ..sheet.record import replace
 from ..sheet.step import OF_SHAFTS, Step
 from ..sheet.text import Amount, Small, Text, listed
 from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, Requirement, control, said_twice
+
+if TYPE_CHECKING:
+    from ..measurements.rows import RunRows  # which only a design with runs loads
 
 SCHEMA = 2
 
@@ -123,6 +129,16 @@ class Design:
     measured: tuple[Measured, ...] = tables(
         "Measured", Measured, default=(), help="What was measured of this design; it stands beside what is predicted."
     )
+
+    measurements: tuple[Measurement, ...] = tables(
+        "Measurements",
+        Measurement,
+        default=(),
+        help="Runs of the bench, each in a file beside the design; they stand on top of what is predicted over speed.",
+    )
+
+    # what the files of the measurements hold, read with the design
+    runs: "tuple[RunRows, ...]" = field(default=(), kw_only=True, repr=False)
 
     @property
     def countershaft(self) -> ShaftInputs | None:
@@ -315,6 +331,7 @@ class Design:
         yield from said_twice(self.document, self._former)
         yield from self._reasons()
         yield from self._measured()
+        yield from self._measurements()
         yield from self._names()
         if self.engine is not None:
             yield from self._cranks(self.engine)
@@ -358,6 +375,24 @@ class Design:
             if row.speed is not None and self.engine is None:
                 other = Text("is that of the engine: leave it out where there is no [engine] table")
                 yield dotted(Design.measured, n, Measured.speed), other
+
+    def _measurements(self) -> Problems:
+        """Whether what was measured, and what the conditions set, may be values and inputs of this design; whether a
+        value is there only its results say."""
+        if self.measurements and self.engine is None:
+            needs = Text("are over the speed of the engine: add [engine], or take them out")
+            yield dotted(Design.measurements), needs
+        must = Text("must be the id of a value or the key of an input of a step: {steps}", steps=STEP_LIST)
+        for n, run in enumerate(self.measurements):
+            here = dotted(Design.measurements, n)
+            for i, condition in enumerate(run.conditions):
+                about = content_at(self, condition.key)[1]
+                key = dotted(here, Measurement.conditions, i, Condition.key)
+                if about is None or about.kind != "number" or self.step_of(condition.key) not in STEP_KEYS:
+                    yield key, Text("must be the key of an input of this design that is a number")
+            for i, column in enumerate(run.columns):
+                if any(self.step_of(id) not in STEP_KEYS for id in column.value):
+                    yield dotted(here, Measurement.columns, i, MeasuredColumn.value), must
 
     def _names(self) -> Problems:
         """Oils and materials that are named and not there, and wheels that lose power and are not there."""

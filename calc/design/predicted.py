@@ -2,10 +2,8 @@
 """What was measured, beside what is predicted at the same speed: the rows of [[measured]] as a table of each step."""
 
 from collections.abc import Callable
-from dataclasses import is_dataclass
 from difflib import get_close_matches
 from functools import partial
-from typing import cast
 
 import numpy as np
 
@@ -13,7 +11,8 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.plain.result import PlainResult
 from ..countershaft.rows import BearingRow
 from ..sheet.deferred import Later
-from ..sheet.quantity import Published, Quantity, dotted, keys
+from ..sheet.inputs_at import content_at
+from ..sheet.quantity import Published, dotted
 from ..sheet.record import replace
 from ..sheet.step import Outcome, Table
 from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
@@ -73,7 +72,7 @@ class Predicted:
         """What was measured; an address that is none, as it stands."""
         value = self._values.get(row.value)
         if value is None:
-            about = _at(self._design, row.value)[1]
+            about = content_at(self._design, row.value)[1]
             return about.label if about is not None else Name(row.value)
         return Text("{label} ({id})", label=value.label, id=Name(row.value))
 
@@ -151,23 +150,8 @@ def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | N
 
 def _input(design: Design, address: str) -> tuple[float, str] | None:
     """A number of the design by the key of the file, in the unit of that key."""
-    here, about = _at(design, address)
+    here, about = content_at(design, address)
     return (about.units.shown(here), about.unit) if about is not None and isinstance(here, (int, float)) else None
-
-
-def _at(design: Design, address: str) -> tuple[object, Quantity | None]:
-    """What stands under a key of the file, and what is said of it; nothing where there is no such key."""
-    here, about = cast(object, design), None
-    for part in address.split("."):
-        if isinstance(here, tuple):
-            here = next((element for element in here if getattr(element, "name", "") == part), None)
-            continue
-        kind: type = type(here)
-        key = keys(kind).get(part) if is_dataclass(here) else None
-        if key is None:
-            return None, None
-        here, about = getattr(here, key.attribute), key.about
-    return here, about
 
 
 BENCH = (

@@ -77,7 +77,10 @@ def _key(about: Quantity) -> dict[str, Any]:
             # one number is read as a list of one
             return definition | ({"anyOf": [many, _number(about)]} if low <= 1 else many)
         case "names":
-            return definition | {"type": "array", "items": {"type": "string"}, "minItems": 1}
+            listed: dict[str, Any] = {"type": "array", "items": {"type": "string"}, "minItems": 1}
+            if about.count is None:
+                return definition | listed
+            return definition | {"anyOf": [{"type": "string"}, listed | {"maxItems": about.count[1]}]}
         case "choice":
             # 8.8 may stand without quotes
             numbers = [float(choice) for choice in about.choices if choice.replace(".", "", 1).isdigit()]

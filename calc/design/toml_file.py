@@ -8,7 +8,7 @@ import hashlib
 import math
 import re
 import tomllib
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import MISSING, field
 from datetime import date
@@ -78,6 +78,12 @@ class Document:
     lines: dict[str, int] = field(default_factory=dict)
     raw: bytes = b""  # of the file as it was read
     former: Upgraded | None = None
+    files: Mapping[str, bytes] = field(default_factory=dict)  # what stands for files beside it, by their names
+
+    @property
+    def folder(self) -> Path:
+        """Where the files of its measurements are; of one that was never in a file the current one."""
+        return Path(self.place).parent
 
     @property
     def sha256(self) -> str:
@@ -346,8 +352,12 @@ class _Reader:
             case "series" | "integers":
                 return _keyed(about, self.series(about, value, key), address)
             case "names":
-                there = isinstance(value, list) and value and all(isinstance(name, str) for name in value)
-                return tuple(as_list(value)) if there else self.refused(about, value, key)
+                listed = [value] if about.count and isinstance(value, str) else value
+                there = isinstance(listed, list) and listed and all(isinstance(name, str) for name in listed)
+                if there and about.count and len(as_list(listed)) > about.count[1]:
+                    most = Text("has {count} entries; at most {most}", count=len(as_list(listed)), most=about.count[1])
+                    return self.error(key, value, most, about.kind)
+                return tuple(as_list(listed)) if there else self.refused(about, value, key)
             case "reasons":
                 return self.reasons(value, key)
             case "open":
@@ -480,9 +490,22 @@ def design(document: Document, sound: Sound | None = None) -> Design:
     """
     reader = _Reader(document)
     checked = reader.inputs(Design, document.data, "", like=(sound[0].data, sound[1]) if sound is not None else None)
+    if checked.measurements:
+        checked = _with_runs(reader, checked)
     if reader.errors:
         raise BadInput(document.place, reader.errors)
     return checked
+
+
+def _with_runs(reader: _Reader, checked: Design) -> Design:
+    """A design with the runs that its measurements are in files; what is wrong with them is said with the rest."""
+    from .run_files import read_runs  # which a design without any does not load
+
+    runs, problems = read_runs(checked, reader.document.folder, reader.document.files)
+    for key, reason in problems:
+        if not _lies_within(key, reader.wrong):
+            reader.error(key, _plain(reader.document.data, key), reason)
+    return replace(checked, runs=runs)
 
 
 def load(path: Path | str) -> tuple[Document, Design]:

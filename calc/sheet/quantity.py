@@ -134,7 +134,7 @@ class Quantity:
             case "date":
                 return Text("a date, as year-month-day: 2026-03-14")
             case "names":
-                return Text("a list of names")
+                return Text("a name, or a list of names") if self.count else Text("a list of names")
             case "table":
                 return Text("a table")
             case "tables":
@@ -293,7 +293,8 @@ def integers(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T
 
 
 def names(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
-    """A list of the names of elements elsewhere, which the whole design judges."""
+    """A list of the names of elements elsewhere, which the whole design judges.  With a `count` of one or more a single
+    name is read as a list of one."""
     return _make("names", label, "", default, **options)
 
 

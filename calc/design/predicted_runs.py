@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a design gives at the nodes of its runs: solved at each speed, with the conditions that the run had there.
+
+`solve` stands above this room and is handed in; `Solved` is what it gives (`Results`)."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from difflib import get_close_matches
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ..measurements.inputs import MeasuredColumn, Measurement
+from ..measurements.nodes import Nodes, nodes_of
+from ..measurements.units import conversion
+from ..mounting.at_speeds import MEASURED, AtMeasuredSpeed, unit_of
+from ..sheet.arrays import Array
+from ..sheet.inputs_at import content_at, with_content
+from ..sheet.quantity import dotted
+from ..sheet.record import record, replace
+from ..sheet.text import EMPTY, Name, Text
+from ..sheet.value import recorded
+from .model import Design
+from .predicted import at_speed
+
+Solved = Any
+Solve = Callable[..., Solved]
+NO_KEY = Text("is no number of this design")
+
+
+@record
+class Target:
+    """A column of a run, node by node in the unit of its value: what is to be predicted.  `y`, `sigma`, `common`: mean,
+    standard uncertainty and the error that all nodes share (None: not given); NaN where nothing was measured."""
+
+    run: str
+    column: str
+    value: tuple[str, ...]  # ids of values or keys of inputs, whose sum it is
+    unit: str
+    label: Text
+    nodes: Nodes
+    y: Array
+    sigma: Array | None
+    common: Array | None
+
+    @property
+    def id(self) -> str:
+        return f"measured.{self.run}.{self.column}"
+
+
+class Source:
+    """What the value of a column is in this design: its unit and label, and how it is read from what a node gives."""
+
+    def __init__(self, design: Design, solved: Solved, id: str) -> None:
+        self.id, self.problem, self.unit, self.label = id, EMPTY, "", Text("")
+        values = solved.values()
+        content, about = content_at(design, id)
+        if id.startswith(MEASURED):
+            found = unit_of(solved.outcomes["mounting"].result, id)
+            if isinstance(found, Text):
+                self.problem = found
+            else:
+                self.unit, self.label = found
+        elif id in values:
+            self.unit, self.label = values[id].unit, values[id].label
+        elif about is not None and isinstance(content, (int, float)) and not isinstance(content, bool):
+            self.unit, self.label = about.unit, about.label
+        else:
+            near = get_close_matches(id, [*values], 1)
+            meant = Text('; did you mean "{near}"?', near=near[0]) if near else EMPTY
+            unsolved = solved.outcomes.get(design.step_of(id))
+            if unsolved is not None and unsolved.state != "solved":
+                waits = Text("is not known while this step is not solved: {step}", step=design.step_of(id))
+                self.problem = waits
+            else:
+                self.problem = Text("{id} is no value of this design, and no number in it", id=id) + meant
+
+
+def value_problems(design: Design, solved: Solved) -> Iterator[tuple[str, Text]]:
+    """What is wrong with the columns of runs beside the values that there are: (key, reason).  Steps without a solution
+    are no mistake of the run."""
+    for n, run in enumerate(design.measurements):
+        rows = next((rows for rows in design.runs if rows.name == run.name), None)
+        for i, (column, name) in enumerate(zip(run.columns, run.column_names)):
+            here = dotted(Design.measurements, n, Measurement.columns, i)
+            sources = [Source(design, solved, id) for id in column.value]
+            wrong = next((source.problem for source in sources if source.problem), None)
+            if wrong is not None:
+                if all(solved.outcomes[design.step_of(id)].state == "solved" for id in column.value):
+                    yield dotted(here, MeasuredColumn.value), wrong
+                continue
+            units = {source.unit for source in sources}
+            if len(units) > 1:
+                unlike = Text("are in unlike units: {units}", units=", ".join(sorted(units)))
+                yield dotted(here, MeasuredColumn.value), unlike
+                continue
+            given = rows.columns[name].unit if rows is not None else None
+            if given is not None and conversion(given, sources[0].unit) is None:
+                other = Text(
+                    "{given} is of another dimension than the value, which is in {unit}",
+                    given=given or "1",
+                    unit=sources[0].unit or "1",
+                )
+                yield dotted(here, MeasuredColumn.unit), other
+
+
+def targets(design: Design, solved: Solved, runs: Sequence[str] = ()) -> list[Target]:
+    """The columns of these runs, none: of all, whose values the design has."""
+    found = []
+    for run, rows in zip(design.measurements, design.runs):
+        if runs and run.name not in runs:
+            continue
+        hot = frozenset(c.key for c in run.conditions if (a := content_at(design, c.key)[1]) and a.unit == "°C")
+        nodes = nodes_of(rows, hot)
+        for column, name in zip(run.columns, run.column_names):
+            sources = [Source(design, solved, id) for id in column.value]
+            here = nodes.columns[name]
+            if any(source.problem or source.unit != sources[0].unit for source in sources):
+                continue
+            how = (1.0, 0.0) if here.unit is None else conversion(here.unit, sources[0].unit)
+            if how is None:
+                continue
+            factor, zero = how
+            found.append(
+                Target(
+                    run.name,
+                    name,
+                    column.value,
+                    sources[0].unit,
+                    sources[0].label if len(sources) == 1 else sum_label(sources),
+                    nodes,
+                    factor * (here.y + zero),
+                    None if here.sigma is None else abs(factor) * here.sigma,
+                    None if here.common is None else factor * here.common,
+                )
+            )
+    return found
+
+
+def sum_label(sources: Iterable[Source]) -> Text:
+    return Text("{n}", n=Text(" + ").join(Name(source.id) for source in sources))
+
+
+def changed_design(design: Design, changes: Mapping[str, float | None]) -> Design:
+    """The design with other numbers under these keys, each in the unit of its key; None leaves an input out.
+    LookupError for a key that it has not."""
+    for key, number in changes.items():
+        about = content_at(design, key)[1]
+        if about is None:
+            raise LookupError(key)
+        design = with_content(design, key, None if number is None else about.units.inside(number))
+    return design
+
+
+def predictions(
+    design: Design,
+    wanted: Sequence[Target],
+    solve: Solve,
+    solved: Solved = None,
+    told: Callable[[float], None] | None = None,
+) -> list[Array]:
+    """What a design gives of each target, node by node in its unit; NaN where it finds no solution, or nothing was
+    measured.
+
+    `solved`: its results, where they are known.  `told` is told the share of the work that is done."""
+    sheet = _Sheet(design, solve, solved)
+    found = [np.full(target.y.shape, np.nan) for target in wanted]
+    by_run: dict[str, list[int]] = {}
+    for n, target in enumerate(wanted):
+        by_run.setdefault(target.run, []).append(n)
+    work = sum(wanted[some[0]].y.size for some in by_run.values())
+    done = 0
+    for some in by_run.values():
+        nodes = wanted[some[0]].nodes
+        for i in range(nodes.speed.size):
+            here = [n for n in some if np.isfinite(wanted[n].y[i])]
+            if here:
+                for n, number in zip(here, sheet.at(nodes, i, [wanted[n].value for n in here])):
+                    found[n][i] = number
+            done += 1
+            if told is not None:
+                told(done / work)
+    return found
+
+
+class _Sheet:
+    """A design at node after node: what one solve has in common with the next is taken over."""
+
+    def __init__(self, design: Design, solve: Solve, solved: Solved) -> None:
+        self.design = replace(design, measured=(), measurements=(), runs=())
+        self.solve, self._solved, self.before = solve, solved, None
+
+    def solved(self) -> Solved:
+        if self._solved is None:
+            self._solved = self._solve(self.design)
+        return self._solved
+
+    def _solve(self, design: Design, compared: bool = False) -> Solved:
+        with recorded(False):
+            return self.solve(design, self.before, compared=compared)
+
+    @cached_property
+    def _made(self) -> Any:
+        """The values of which clearances are taken that are given as a factor; else none are needed."""
+        rows = [row for view in self.design.views.values() for row in view.rows]
+        return self.solved().values() if any(row.clearance_factor is not None for row in rows) else {}
+
+    def at(self, nodes: Nodes, i: int, wanted: Sequence[tuple[str, ...]]) -> list[float]:
+        conditions = {key: float(numbers[i]) for key, numbers in nodes.conditions.items()}
+        speed = float(nodes.speed[i])
+        design = at_speed(self.design, speed, self._made)
+        for key, number in conditions.items():
+            design = with_content(design, key, number)
+        ids = {id for value in wanted for id in value}
+        solved = None
+        if any(not id.startswith(MEASURED) for id in ids):
+            solved = self.before = self._solve(design)
+            # what other methods give beside those that judge
+            if any(id not in solved.values() and id in (self._solved or solved).values() for id in ids):
+                solved = self._solve(design, compared=True)
+        mounting = None
+        if any(id.startswith(MEASURED) for id in ids):
+            whole = self.solved()
+            if conditions:
+                there = self.design
+                for key, number in conditions.items():
+                    there = with_content(there, key, number)
+                whole = self._solve(there)
+            result = whole.outcomes["mounting"].result
+            mounting = AtMeasuredSpeed(result, speed) if result is not None else None
+
+        def number_of(id: str) -> float:
+            if id.startswith(MEASURED):
+                found = mounting.value(id) if mounting is not None else None
+                return np.nan if found is None else found
+            assert solved is not None
+            if (there := solved.values().get(id)) is not None:
+                return float(there.shown)
+            content, about = content_at(design, id)
+            return about.units.shown(content) if about is not None and isinstance(content, (int, float)) else np.nan
+
+        return [float(sum(map(number_of, value))) for value in wanted]

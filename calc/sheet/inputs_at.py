@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What stands in inputs under a dotted key, elements of arrays by their names, and the same inputs with another content
+there."""
+
+from dataclasses import is_dataclass
+from typing import TypeVar, cast
+
+from .quantity import Quantity, keys
+from .record import replace
+
+T = TypeVar("T")
+
+
+def content_at(inputs: object, key: str) -> tuple[object, Quantity | None]:
+    """What stands under a key, in SI, and what is said of it; nothing where there is no such key."""
+    here, about = inputs, None
+    for part in key.split("."):
+        if isinstance(here, tuple):
+            here = next((element for element in here if getattr(element, "name", "") == part), None)
+            continue
+        kind: type = type(here)
+        known = keys(kind).get(part) if is_dataclass(here) else None
+        if known is None:
+            return None, None
+        here, about = getattr(here, known.attribute), known.about
+    return here, about
+
+
+def with_content(inputs: T, key: str, content: object) -> T:
+    """The same inputs with another content under a key that they have, in SI; LookupError where they have it not."""
+    part, _, rest = key.partition(".")
+    if isinstance(inputs, tuple):
+        names = [getattr(element, "name", "") for element in inputs]
+        n = names.index(part) if part in names else -1
+        if n < 0 or not rest:
+            raise LookupError(key)
+        return cast("T", (*inputs[:n], with_content(inputs[n], rest, content), *inputs[n + 1 :]))
+    kind: type = type(inputs)
+    known = keys(kind).get(part) if is_dataclass(inputs) else None
+    if known is None:
+        raise LookupError(key)
+    new = with_content(getattr(inputs, known.attribute), rest, content) if rest else content
+    changed: T = replace(inputs, **{known.attribute: new})  # type: ignore[type-var]
+    return changed
