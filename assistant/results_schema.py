@@ -12,6 +12,7 @@ from typing import Any, get_args
 from assistant.results_text import RESULTS
 from calc.design.model import STEP_KEYS
 from calc.design.schema import DIALECT
+from calc.measurements.words import Judged, Runs
 from calc.sheet.check import KINDS, Role
 from calc.sheet.verdict import State
 
@@ -114,6 +115,7 @@ def results_schema() -> Schema:
             "values": _by("Every result.", "the id of a value: `bearings.front.film`", _value()),
             "tables": _by("Tables of results.", "step and id of a table: `bearings.seats`", _table()),
             "checks": _list("Every check, step by step.", _check()),
+            "measurements": _by("Runs of the bench beside what is predicted.", "the name of a run", _run()),
             "errata": _list("Where a source has another value than is judged here, and why.", _erratum()),
             "proposals": _by("What a step proposes.", "a step", _texts("In sentences.")),
             "notes": _by("What is said of a step: how it was computed, what was chosen.", "a step", _texts("")),
@@ -210,6 +212,58 @@ def _check() -> Schema:
 def _end(what: str) -> Schema:
     about = f"{what}; `holds`: no limit can be passed over there; `none`: nobody knows; null: nothing is missing."
     return {"description": about, "anyOf": [_number(""), {"enum": list(ENDS)}]}
+
+
+def _run() -> Schema:
+    return _object(
+        "",
+        {
+            "file": _text("As the design names it."),
+            "sha256": _text("Hash of its bytes."),
+            "rows": _count("Rows that are used."),
+            "rows_left_out": _count("Rows without a speed above 0, or without a condition."),
+            "columns": _by("What was measured.", "the name of a column", _run_column()),
+        },
+    )
+
+
+def _run_column() -> Schema:
+    node = _object(
+        "",
+        {
+            "speed_rpm": _number("Of the crank."),
+            "conditions": _by("What inputs were.", "the key of an input", _number("In SI, temperatures in °C.")),
+            "rows": _count("Of the file."),
+            "measured": _number("Their mean."),
+            "uncertainty": _number("Standard uncertainty; null: none is given."),
+            "common": _number("The error that all nodes share; null: none is given."),
+            "predicted": _number("What the design gives there; null: no solution."),
+            "residual": _number("Predicted less measured."),
+        },
+    )
+    ends = {"anyOf": [{"type": "array", "items": _number(""), "minItems": 2, "maxItems": 2}, {"type": "null"}]}
+    return _object(
+        "",
+        {
+            "value": _texts("Ids of values, or keys of inputs, whose sum was measured."),
+            "unit": _text("Of what is measured and predicted."),
+            "step": _text("The step that it is of.", *STEP_KEYS),
+            "verdict": _text("What it comes to.", *get_args(Judged)),
+            "words": _text("In sentences."),
+            "accepted": _text("The reason that the user gives in `[accepted]`; empty: none."),
+            "rows": _count("Rows with a number."),
+            "empty": _count("Rows without one."),
+            "used": _count("Nodes that are compared."),
+            "not_predicted": _count("Nodes at which the design has no solution."),
+            "bias": _number("Mean of the residuals."),
+            "rms": _number("Root of the mean of their squares."),
+            "chi2_reduced": _number("χ² over the number of nodes; null: no uncertainty is given."),
+            "chi2_range": {"description": "From where to where it agrees: 95 % by chance."} | ends,
+            "runs_z": _number("Runs of the signs over speed, in standard deviations from chance; null: none."),
+            "runs": _text("What they say; below ten nodes nothing.", *get_args(Runs)),
+            "nodes": _list("In order of speed.", node),
+        },
+    )
 
 
 def _erratum() -> Schema:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict
 from difflib import get_close_matches
 from itertools import takewhile
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from calc.countershaft.twins import Resolved
 from calc.design.key_results import judged, outside
@@ -25,13 +25,17 @@ from calc.sheet.quantity import Published
 from calc.sheet.record import replace
 from calc.sheet.step import OF_SHAFTS, Outcome, Table, ignored
 from calc.sheet.text import EMPTY, SEMICOLON, SPACE, Amount, Name, Text, plural
-from calc.sheet.verdict import findings_of, named, open_findings, severity, with_it
+from calc.sheet.verdict import counts, findings_of, named, open_findings, severity, with_it
 from calc.sheet.version import VERSION
 from calc.solve import Results
 from calc.studies.described import not_counted
 from calc.studies.explain import Effect, effects
 from calc.studies.headlines import heads, lead
 from calc.studies.ready import limits_hold
+
+if TYPE_CHECKING:
+    from calc.design.run_results import ColumnResult
+    from calc.measurements.rows import RunRows
 
 # --- findings, as plain text that fits a screen
 # Limits first, then cautions, each group of one cause by its worst check; advice and what concerns the method by
@@ -202,7 +206,7 @@ def lost_acceptances(results: Results, step: str | None = None) -> Iterator[str]
     for id, _ in results.design.accepted:
         words = ignored(id, known.get(id))
         of_step = id.partition(".")[0]
-        if words and of_step not in waits and step in (None, of_step):
+        if words and of_step not in waits and step in (None, of_step) and id not in results.design.checked_later:
             near = [] if id in known else get_close_matches(id, known, 1)
             meant = Text("; did you mean {near}?", near=near[0]) if near else EMPTY
             yield from _wrapped_finding(words + meant, f"{sign('note')}  ")
@@ -253,6 +257,21 @@ def print_results(
     print_findings(results, step, findings)
     if results.design.measured and step is None and not findings:
         print("", *table_lines(measured_table(list(results.design.measured), results.predicted)), sep="\n")
+
+
+def print_runs(results: Results, step: str | None = None, *, tables: bool = False) -> None:
+    """A line for each run of the bench: what its columns come to beside what is predicted; `tables`: before them node
+    by node.  `step`: of that alone."""
+    if not results.design.runs or (runs := results.runs) is None:
+        return
+    lines = list(runs.lines(step))
+    if lines:
+        print()
+    for column in runs.columns if tables else ():
+        if step in (None, column.step):
+            print(*table_lines(column.table), "", sep="\n")
+    for line in lines:
+        print(*_wrapped_finding(line, ""), sep="\n")
 
 
 def state_words(results: Results, step: str | None = None) -> Text:
@@ -411,6 +430,12 @@ def results_json(
     move a check."""
     judged_part = results if step is None else results.outcomes[step]
     shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
+    runs = results.runs
+    columns = [column for column in runs.columns if step in (None, column.step)] if runs is not None else []
+    run_values = runs.values if runs is not None else ()
+    run_checks = [column.check for column in columns]
+    prefixes = tuple(f"{column.id}." for column in columns)
+    counted = counts([*(check for o in shown for check in o.checks), *run_checks]) if run_checks else judged_part.counts
     moved = effects(document, results, [c for o in shown for c in o.checks if c.verdict in URGENT]) if measured else {}
     return {
         "schema": RESULTS,
@@ -418,14 +443,26 @@ def results_json(
         "version": VERSION,
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
         "verdict": judged_part.verdict,
-        "counts": asdict(judged_part.counts),
+        "counts": asdict(counted),
         "values": {
             id: {"value": finite(v.shown), "unit": v.unit, "label": v.label}
             for id, v in results.values().items()
             if step is None or id.startswith(f"{step}.")
+        }
+        | {
+            v.id: {"value": finite(v.shown), "unit": v.unit, "label": v.label}
+            for v in run_values
+            if v.id.startswith(prefixes)
         },
         "tables": {f"{o.key}.{t.id}": table_json(t) for o in shown for t in o.tables},
-        "checks": [check_json(c, moved.get(c.id)) for o in shown for c in o.checks],
+        "checks": [
+            *(check_json(c, moved.get(c.id)) for o in shown for c in o.checks),
+            *(check_json(c, []) for c in run_checks),
+        ],
+        "measurements": {
+            run.name: run_json(run, [column for column in columns if column.target.run == run.name])
+            for run in results.design.runs
+        },
         "steps": {o.key: o.verdict for o in shown},
         "errata": [
             {
@@ -450,6 +487,57 @@ def results_json(
         ],
         "reasons": {o.key: o.reason for o in shown if o.reason},
         "not_counted": list(not_counted(results.design)),
+    }
+
+
+def run_json(run: "RunRows", columns: "Sequence[ColumnResult]") -> dict[str, Any]:
+    """A run of the bench beside what is predicted, column by column and node by node."""
+    return {
+        "file": run.file,
+        "sha256": run.sha256,
+        "rows": len(run.speed),
+        "rows_left_out": run.lost,
+        "columns": {column.target.column: _column_json(column) for column in columns},
+    }
+
+
+def _column_json(column: "ColumnResult") -> dict[str, Any]:
+    target, found = column.target, column.found
+    rows = target.nodes.columns[target.column]
+
+    def at(numbers: Any, i: int) -> float | None:
+        return None if numbers is None else finite(float(numbers[i]))
+
+    return {
+        "value": list(target.value),
+        "unit": target.unit,
+        "step": column.step,
+        "verdict": found.verdict,
+        "words": column.sentence,
+        "accepted": column.accepted,
+        "rows": rows.rows,
+        "empty": rows.empty,
+        "used": found.used,
+        "not_predicted": column.lost,
+        "bias": finite(found.bias),
+        "rms": finite(found.rms),
+        "chi2_reduced": finite(found.chi2_reduced),
+        "chi2_range": None if found.judged_by is None else list(found.judged_by),
+        "runs_z": finite(found.runs_z),
+        "runs": found.runs,
+        "nodes": [
+            {
+                "speed_rpm": float(target.nodes.speed[i]) * 60,
+                "conditions": {key: float(numbers[i]) for key, numbers in target.nodes.conditions.items()},
+                "rows": int(target.nodes.rows[i]),
+                "measured": at(target.y, i),
+                "uncertainty": at(target.sigma, i),
+                "common": at(target.common, i),
+                "predicted": at(column.predicted, i),
+                "residual": at(found.r, i),
+            }
+            for i in range(len(target.y))
+        ],
     }
 
 

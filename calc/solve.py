@@ -71,6 +71,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from pandas import DataFrame
 
+    from .design.run_results import RunResults
+    from .design.toml_file import Document
+
 R = TypeVar("R")
 Shafts = dict[str, Outcome[CountershaftResult]]  # by their names
 
@@ -239,6 +242,26 @@ class Results:
     def predicted(self) -> Predicted:
         """What this design gives at the speeds of measurements."""
         return Predicted(self.design, self.values(), _values_of)
+
+    @cached_property
+    def runs(self) -> "RunResults | None":
+        """What the runs of [[measurements]] come to, at whose nodes the design is solved now; None where there are
+        none."""
+        if not self.design.runs:
+            return None
+        from .design.run_results import run_results  # which a design without runs does not load
+
+        return run_results(self.design, self, solve)
+
+    def demand_runs(self, document: "Document") -> None:
+        """Raises BadInput where a column of [[measurements]] is of no value that there is, or of another dimension:
+        what only the results show."""
+        if self.design.runs:
+            from .design.predicted_runs import value_problems
+            from .design.toml_file import mistaken
+
+            if (wrong := mistaken(document, value_problems(self.design, self))) is not None:
+                raise wrong
 
     def whole(self) -> "Results":
         """The same with all curves, tables and notes, those too that take longer than a keystroke may."""
@@ -549,6 +572,8 @@ def _told(
     every_b = of_originals | b  # of a twin with nothing of its own those of its original
     carried = no_bearings or _joined(design, mine_b, others_b, every_b)
     accepted = design.accepted
+    if accepted and (later := design.checked_later):
+        accepted = tuple((id, reason) for id, reason in accepted if id not in later)
     if accepted:
         of_ids = {design.former_id(check.id): check.id for each in (whole, carried) for check in each.checks}
         accepted = tuple((of_ids.get(id, id), reason) for id, reason in accepted)

@@ -35,6 +35,7 @@ SCREENED = (
 GAMMA = DESIGNS / "r753ie4_gamma.toml"
 SHIPPED = designs()
 # of makers' journals, which are alike, the two that are always walked: shells; a bush, a seat of its own, a carrier
+RUN_FILES = {path.name: path.read_bytes() for path in DESIGNS.glob("*.csv")}  # that designs name beside them
 FEW = [path for path in SHIPPED if path.parent == DESIGNS or path.stem in ("er6n", "l61")]
 
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Any
 
 from assistant.named_files import each, files_of, many, read_design
-from assistant.results_text import errors_json, print_results, results_json, state_words
+from assistant.results_text import errors_json, print_results, print_runs, results_json, state_words
 from calc.design.addresses import Table, address, every, parse_assignment
 from calc.design.limits import SEARCH_SECONDS
 from calc.design.locks import standing
@@ -67,6 +67,7 @@ def _check(asked: Namespace, file: str, changes: Sequence[str], before: str = ""
     """One design; gives its exit code and its JSON, which is empty where nobody asked for it."""
     document, changed_design = changed(read_design(file), changes)
     results = solve(changed_design)
+    results.demand_runs(document)
     state = results.verdict if asked.step is None else results.outcomes[asked.step].verdict
     code = exit_code(state, asked.strict)
     if asked.json:
@@ -79,7 +80,9 @@ def _check(asked: Namespace, file: str, changes: Sequence[str], before: str = ""
         print(
             f"\nall values, tables and checks: --all, or --step {'|'.join(step.key for step in changed_design.asked())}"
         )
-    sys.stdout.flush()  # the verdicts are there before the search ends
+    sys.stdout.flush()  # the verdicts are there before the nodes of runs are solved, and before the search ends
+    print_runs(results, asked.step, tables=asked.all or asked.step is not None)
+    sys.stdout.flush()
     if state in EXITS:
         print("\n" + "\n".join(nearest_passing(document, results, file, changes, asked.step, short=asked.short)))
     return code, {}

@@ -141,6 +141,11 @@ class Design:
     runs: "tuple[RunRows, ...]" = field(default=(), kw_only=True, repr=False)
 
     @property
+    def checked_later(self) -> frozenset[str]:
+        """The ids of checks that are made when somebody asks for them: of the columns of runs."""
+        return frozenset(f"measured.{run.name}.{column}" for run in self.measurements for column in run.column_names)
+
+    @property
     def countershaft(self) -> ShaftInputs | None:
         """The shaft of the design that is no twin, with whether one mirrors it; None where only bearings are asked."""
         own = self.own

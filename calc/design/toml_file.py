@@ -8,7 +8,7 @@ import hashlib
 import math
 import re
 import tomllib
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import MISSING, field
 from datetime import date
@@ -188,9 +188,10 @@ def read_as_it_is(path: Path | str) -> Document:
     return parsed(raw, place)
 
 
-def parse(raw: bytes, place: str) -> Document:
-    """The document in the bytes of a design file."""
-    return current_document(parsed(raw, place))
+def parse(raw: bytes, place: str, files: Mapping[str, bytes] | None = None) -> Document:
+    """The document in the bytes of a design file.  `files`: what stands for the files beside it, by their names."""
+    document = current_document(parsed(raw, place))
+    return replace(document, files=files) if files else document
 
 
 def parsed(raw: bytes, place: str) -> Document:
@@ -495,6 +496,14 @@ def design(document: Document, sound: Sound | None = None) -> Design:
     if reader.errors:
         raise BadInput(document.place, reader.errors)
     return checked
+
+
+def mistaken(document: Document, problems: Iterable[tuple[str, Text]]) -> BadInput | None:
+    """What turned out to be wrong with a design once it was solved, with the lines of its keys; None: nothing."""
+    reader = _Reader(document)
+    for key, reason in problems:
+        reader.error(key, _plain(document.data, key), reason)
+    return BadInput(document.place, reader.errors) if reader.errors else None
 
 
 def _with_runs(reader: _Reader, checked: Design) -> Design:

@@ -1,26 +1,36 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is predicted against what was measured, column by column: residuals, χ², whether they run, and in words."""
 
-import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Literal
 
 import numpy as np
 
 from ..sheet.arrays import Array
+from ..sheet.check import CheckRule
 from ..sheet.formula import formula
 from ..sheet.functions import sqrt
 from ..sheet.record import record
 from ..sheet.text import COMMA, EMPTY, Text
 from ..sheet.units import Number, Numbers
 from .nodes import ColumnNodes
+from .words import RUN_WORDS, WORDS, Judged, Runs
 
 TAIL = 0.025  # of two: what is judged is the middle 95 %
 RUNS = 1.96  # the same of a normal deviate
 FEWEST = 10  # nodes from which on runs are judged
 RESIDUALS = "statistics: residuals, predicted less measured"
 WALD = "Wald, Wolfowitz 1940: runs of the signs"
+
+
+METHOD = CheckRule(
+    "measured.R.C",
+    "method",
+    "A measurement judges the calculation and the uncertainty of the bench, never the part.",
+    Text("Run of the bench"),
+    "in",
+    source=Text("χ² of the residuals over their uncertainty, two-sided 95 %"),
+)
 
 
 @formula("r̄", RESIDUALS, shows="Σ r / n")
@@ -70,20 +80,6 @@ def range_of_chi(n: int) -> tuple[float, float]:
     from scipy.special import gammaincinv  # type: ignore[import-untyped]  # which is loaded where something was measured
 
     return 2 * float(gammaincinv(n / 2, TAIL)), 2 * float(gammaincinv(n / 2, 1 - TAIL))
-
-
-Judged = Literal["agrees", "does not agree", "uncertainty too large", "not verified"]
-Runs = Literal["random", "run", "one side", "not judged"]
-WORDS: dict[str, Text] = {
-    "agrees": Text("agrees"),
-    "does not agree": Text("does not agree"),
-    "uncertainty too large": Text("uncertainty too large"),
-    "not verified": Text("not verified: no uncertainty is given"),
-}
-RUN_WORDS: dict[str, Text] = {
-    "run": Text("the residuals run: the shape over speed is another"),
-    "one side": Text("the residuals are all on one side"),
-}
 
 
 @record
@@ -141,7 +137,3 @@ def runs_of(signs: Sequence[bool]) -> tuple[float | None, Runs]:
     found = 1 + sum(a != b for a, b in pairwise(signs))
     z = runs_deviate(R=found, mu=mu, sigma=runs_spread(mu=mu, n=n))
     return z, "not judged" if not judged else "run" if abs(z) > RUNS else "random"
-
-
-def finite(x: float | None) -> bool:
-    return x is not None and math.isfinite(x)

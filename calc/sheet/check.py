@@ -37,6 +37,8 @@ LETTERS: Mapping[str, str] = {
     "W": "a wheel, by its name; behind _ too",
     "D": "a drain of the oil: `drain`, or `further_drains` and its name",
     "J": "a joint of bolts: `bolts`, or `further_bolts` and its name",
+    "R": "a run of `[[measurements]]`, by its name",
+    "C": "a column of it, by its name",
     "N": "any other element, by its name",
 }
 INDEX = "#"  # in the key of an input: the place of a mesh in its array
@@ -379,6 +381,8 @@ class Check:
 
         Of what is not given: with all at the favourable end it fails, or with all at the unfavourable one it holds;
         else it is not verified."""
+        if self.kind == "method" and self.at_best == "none":
+            return "not_verified"
         if self.kind in ("advice", "method"):
             return "pass" if self.holds else "note"
         passed_over = "fail" if self.kind == "limit" else "warn"

@@ -76,6 +76,18 @@ class DrawnLoad:
 
 
 @record
+class MeasuredPoints:
+    """What was measured on a curve: points with one standard uncertainty either way (NaN: none is given), and what lies
+    below them in a strip: the curve less the point (NaN: the curve is not known there)."""
+
+    label: Text
+    x: Array  # (points,)
+    y: Array
+    bar: Array
+    residual: Array
+
+
+@record
 class Walk:
     """A curve that the session shows at other points too, made when it goes there.
 
@@ -99,7 +111,8 @@ class Curve:
     `stack`: curves of one stack stand on paper over each other as one figure, along one x. `loads`: forces across it,
     which paper draws as arrows; `load_unit`: what they are in. `short`: its place among the figures of a short report,
     from 1; of those with one place the first of the step stands. `along`: what all series run along, where it is not x,
-    as of loci: its label and its value at each of their points. `walk`: the same at other points."""
+    as of loci: its label and its value at each of their points. `walk`: the same at other points. `measured`: points of
+    a bench on it."""
 
     id: str
     title: Text
@@ -121,6 +134,7 @@ class Curve:
     load_unit: str = ""
     short: int = 0
     walk: Walk | None = None
+    measured: MeasuredPoints | None = None
 
     def of_one(self, name: str) -> "Curve":
         """The same as that of one of several shafts."""
@@ -161,6 +175,8 @@ def draw(curve: Curve, ax: "Axes") -> None:
     if curve.point is not None:
         ax.plot(*curve.point, "o", color=RED if curve.fails else "black")
     _forces(curve, ax)
+    if (points := curve.measured) is not None:
+        ax.errorbar(points.x, points.y, points.bar, fmt="o", color="black", markersize=3, label=str(points.label))
     if curve.equal:
         ax.set_aspect("equal", adjustable="datalim")
     ax.set_title(str(curve.title), wrap=True)

@@ -12,6 +12,7 @@ from pypdf import PdfReader
 from calc.design.toml_file import Document, design, parse
 from calc.solve import Results, solve
 from reports.report import render
+from tests.conftest import RUN_FILES
 
 ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "designs" / "r753ie4_gamma.toml"
@@ -51,7 +52,7 @@ class Solved:
 
 def solved(text: str | bytes) -> Solved:
     raw = text.encode() if isinstance(text, str) else text
-    document = parse(raw, "design.toml")
+    document = parse(raw, "design.toml", RUN_FILES)
     return Solved(raw, document, solve(design(document)))
 
 
