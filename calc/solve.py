@@ -253,6 +253,14 @@ class Results:
 
         return run_results(self.design, self, solve)
 
+    def runs_with(self, other: "Results") -> "RunResults | None":
+        """What its runs and those of another design come to on this one; None where neither has any."""
+        if not other.design.runs:
+            return self.runs
+        from .design.run_results import run_results, with_runs_of
+
+        return run_results(with_runs_of(self.design, [other.design]), self, solve)
+
     def demand_runs(self, document: "Document") -> None:
         """Raises BadInput where a column of [[measurements]] is of no value that there is, or of another dimension:
         what only the results show."""

@@ -21,6 +21,7 @@ from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Name, plural
 from calc.solve import Results, solve
 from calc.studies.compare import Comparison, compare
+from calc.studies.compare_runs import compared_runs
 from calc.studies.compare_tables import (
     Names,
     Sign,
@@ -86,7 +87,9 @@ def render(
     else:
         blocks += _conclusion(context, comparison, names)
         measured = compared_table((before.design, before.predicted), (after.design, after.predicted), names)
-        blocks += table_blocks(context, [in_language(measured, context.say)]) if measured is not None else []
+        runs = compared_runs(before.runs_with(after), after.runs_with(before), names)
+        tables = [in_language(table, context.say) for table in (measured, runs) if table is not None]
+        blocks += table_blocks(context, tables)
         blocks += _section(context, "inputs", [replace(input_table(comparison.inputs, names, ids=False), title=EMPTY)])
         blocks += (
             _details(context, comparison, names) if everything else paragraph(_more(context, comparison), NOTE, gap=8.0)
@@ -95,6 +98,10 @@ def render(
     w, title = context.words, f"{names[0]} – {names[1]}"
     solved = attach.values_bytes(attach.pair_values(names, before, after))
     files = {name: (document.raw, w["file"]) for name, document in zip(attach.PAIR, (first, second))}
+    sums = {}
+    for of, side in zip("ab", (before, after)):
+        for n, (name, rows) in enumerate(attach.run_files(side, of).items(), 1):
+            files[name], sums[attach.run_key(n, of)] = (rows, w["run"]), hashlib.sha256(rows).hexdigest()
     provenance = dict(
         depth=DEPTHS[everything],
         lang=lang,
@@ -110,7 +117,7 @@ def render(
         revision="",
         kind="comparison",
         designs=" · ".join(_of_foot(w, name, side) for name, side in zip(names, (a, b))),
-        said=provenance,
+        said=provenance | sums,
         made=context.made,
         words=w,
     )
@@ -121,7 +128,10 @@ def again(inside: attach.Inside) -> tuple[bytes, dict[str, Any], list[Results]]:
     said = inside.said
     if said["depth"] not in DEPTHS or said["lang"] not in LANGUAGES:
         raise attach.refused(inside.place, attach.NO_REPORT)
-    a, b = (parse(inside.file(name), f"{inside.place}: {name}") for name in attach.PAIR)
+    a, b = (
+        attach.with_runs(inside, parse(inside.file(name), f"{inside.place}: {name}"), of)
+        for name, of in zip(attach.PAIR, "ab")
+    )
     before, after = solve(design(a)), solve(design(b))
     match inside.solved():
         case {"names": [str(first), str(second)]}:

@@ -10,7 +10,7 @@ import zlib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from reportlab.lib.utils import ImageReader
@@ -37,6 +37,9 @@ from calc.studies.explain import Chains
 from .blocks.words import WORDS
 from .made import versions
 from .typesetting.boxes import Symbol
+
+if TYPE_CHECKING:
+    from calc.design.run_results import RunResults  # which a design without runs does not load
 
 # --- the logo of a title block: a PNG file beside the design, in which a stranger may have put anything
 
@@ -206,6 +209,7 @@ class Context:
     logo: Logo | None = None
     made: dict[str, str] = field(default_factory=versions)  # with which versions
     drive: Picked | None = None  # of the front that the design is one drive of
+    runs: RunResults | None = None  # of the bench, at whose nodes the design was solved
     shaft: str = ""  # the one of several that is in view, with ids that do not say its name
     figures: int = 0
     chapter: str = ""  # key of the step whose chapter is being made

@@ -111,12 +111,16 @@ def render(
     context = context_of(document, results, raw, depth=depth, lang=lang, logo_file=logo_file)
     context.made = made or context.made
     context.drive = picked(front, document.data) if front is not None else None
+    context.runs = results.runs
     control, picture = context.design.control, context.logo
     tell(progress, WHOLE, context.design.name)
     pages = composed(blocks(context, part(progress, WHOLE, MADE)))
     solved = attach.values_bytes(attach.solved_values(results))
     said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
     files = {attach.NAME: (raw, context.words["file"]), attach.RESULTS: (solved, context.words["solved"])}
+    for n, (name, rows) in enumerate(attach.run_files(results).items(), 1):
+        said_of[attach.run_key(n)] = hashlib.sha256(rows).hexdigest()
+        files[name] = (rows, context.words["run"])
     if front is not None and context.drive is not None:
         said_of["front"] = hashlib.sha256(front).hexdigest()
         files[attach.FRONT] = (front, context.words["front"])
@@ -143,7 +147,7 @@ def again(inside: attach.Inside) -> tuple[bytes, dict[str, Any], list[Results]]:
     said = inside.said
     if said["depth"] not in DEPTHS or said["lang"] not in LANGUAGES:
         raise attach.refused(inside.place, attach.NO_REPORT)
-    document = parse(inside.file(attach.NAME), f"{inside.place}: {attach.NAME}")
+    document = attach.with_runs(inside, parse(inside.file(attach.NAME), f"{inside.place}: {attach.NAME}"))
     results = solve(design(document))
     logo_name = results.design.control.logo
     pdf = render(
@@ -196,6 +200,12 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     if context.drive is not None:
         body += _section(f"{number}  {w['drive']}", "drive", entries, need=120.0)
         body += drive_blocks(context, context.drive, front)
+        number += 1
+    if context.runs is not None:
+        from .blocks.runs import run_blocks  # which a design without runs does not load
+
+        body += _section(f"{number}  {w['measured']}", "measured", entries, need=200.0)
+        body += run_blocks(context, context.runs, plots)
         number += 1
     if materials := material_blocks(context) + wheel_blocks(context):
         body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)

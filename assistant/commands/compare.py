@@ -9,7 +9,7 @@ from argparse import Namespace
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from assistant.named_files import STANDARD, demand_ending, files_of, put, read_design, spoken
 from assistant.results_text import LINE, finite, sign, table_lines
@@ -25,6 +25,7 @@ from calc.sheet.version import VERSION
 from calc.sheet.visible import visible
 from calc.solve import Results, solve
 from calc.studies.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
+from calc.studies.compare_runs import compared_runs
 from calc.studies.compare_tables import (
     Names,
     check_table,
@@ -35,6 +36,9 @@ from calc.studies.compare_tables import (
     value_table,
     verdict_table,
 )
+
+if TYPE_CHECKING:
+    from calc.design.run_results import RunResults
 
 MOST = 8  # verdicts that moved
 LONGEST = 24  # characters of a name above a column
@@ -59,6 +63,8 @@ def run_compare(asked: Namespace) -> int:
         return 2
     (a, made_a), (b, made_b) = solved
     sides = ((a, solve(made_a)), (b, solve(made_b)))
+    for document, results in sides:
+        results.demand_runs(document)
     comparison = compare(a.data, b.data, sides[0][1], sides[1][1])
     if asked.output:
         return _write(sides, comparison, asked.output, asked.lang, asked.all)
@@ -109,6 +115,7 @@ def text(sides: Sides, comparison: Comparison, everything: bool) -> Iterator[str
         moved_table(comparison, names, sign, 0 if everything else MOST),
         result_table(comparison, names),
         measured,
+        compared_runs(a.runs_with(b), b.runs_with(a), names),
     ]
     for table in [*tables, input_table(comparison.inputs, names, full=everything)]:
         if table is not None and table.rows:
@@ -182,6 +189,28 @@ def comparison_json(sides: Sides, comparison: Comparison) -> dict[str, Any]:
             }
             for d in comparison.values
         ],
+        "measurements": {side: _runs_json(runs) for side, runs in zip("ab", _runs(sides))},
+    }
+
+
+def _runs(sides: Sides) -> tuple["RunResults | None", "RunResults | None"]:
+    """The runs of both on both."""
+    (_, a), (_, b) = sides
+    return a.runs_with(b), b.runs_with(a)
+
+
+def _runs_json(runs: "RunResults | None") -> dict[str, Any]:
+    """What each column comes to, by its id."""
+    return {
+        column.id: {
+            "verdict": column.found.verdict,
+            "unit": column.unit,
+            "bias": finite(column.found.bias),
+            "rms": finite(column.found.rms),
+            "chi2_reduced": finite(column.found.chi2_reduced),
+            "used": column.found.used,
+        }
+        for column in (runs.columns if runs is not None else ())
     }
 
 

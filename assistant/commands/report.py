@@ -55,6 +55,7 @@ def _report(asked: Namespace, file: str, kind: str, target: str) -> int:
     if target != STANDARD:
         spare(Path(target), file)
     results = solve(design(document))
+    results.demand_runs(document)
     from reports.report import inputs_of, render  # with matplotlib and reportlab
 
     if kind == "docx":

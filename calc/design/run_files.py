@@ -25,7 +25,8 @@ def read_runs(
 ) -> tuple[tuple[RunRows, ...], Iterable[tuple[str, Text]]]:
     """The runs of a design, and what is wrong with them, by key.
 
-    `folder`: of the design; `files`: what stands for files, by their names, as a report has them inside."""
+    `folder`: of the design; `files`: what stands for them, by the names of runs, as a report has them
+    inside, or of files."""
     found: list[RunRows] = []
     problems: list[tuple[str, Text]] = []
     for n, run in enumerate(design.measurements):
@@ -33,7 +34,7 @@ def read_runs(
             continue  # said already
         here = dotted(Design.measurements, n)
         try:
-            raw, file = _file(run.file, folder, files)
+            raw, file = _file(run, folder, files)
         except Unread as why:
             problems.append((dotted(here, Measurement.file), why.text))
             continue
@@ -67,9 +68,10 @@ def _beyond(design: Design, run: Measurement, rows: RunRows) -> Iterable[tuple[s
                 break
 
 
-def _file(name: str, folder: Path, files: Mapping[str, bytes]) -> tuple[bytes, RunFile]:
-    if name in files:
-        return files[name], read_run(files[name], ".csv")
+def _file(run: Measurement, folder: Path, files: Mapping[str, bytes]) -> tuple[bytes, RunFile]:
+    name = run.file
+    if (raw := files.get(run.name, files.get(name))) is not None:
+        return raw, read_run(raw, ".csv")
     path = os.path.realpath(folder / name)
     inside = os.path.realpath(folder)
     if os.path.commonpath([path, inside]) != inside:

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from ..measurements.residuals import METHOD, Residuals, residuals
-from ..measurements.words import WORDS
 from ..sheet.arrays import Array
 from ..sheet.check import Check, Missing
 from ..sheet.curve import Curve, MeasuredPoints, Series, axis_label
@@ -144,7 +143,11 @@ class ColumnResult:
         points = MeasuredPoints(Text("measured"), x[there], y, bars, self.found.r[there])
         return Curve(
             self.id,
-            Text("{run}: {label}", run=Name(self.target.run), label=self.target.label),
+            Text(
+                "{run}: {column}, measured (points) on what is predicted (line)",
+                run=Name(self.target.run),
+                column=Name(self.target.column),
+            ),
             axis_label("Crank speed", "rpm"),
             Text("{label}, {unit}", label=self.target.label, unit=self.target.unit)
             if self.target.unit
@@ -257,30 +260,6 @@ def run_results(design: Design, solved: Solved, solve: Solve) -> RunResults:
         step = design.step_of(target.value[0])
         found.append(ColumnResult(target, predicted, compared, step, reasons.get(target.id, "")))
     return RunResults(design, tuple(found))
-
-
-def compared_runs(a: RunResults, b: RunResults, names: tuple[str, str]) -> Table | None:
-    """What both designs come to on the same runs; None where there are none."""
-    rows: list[tuple[str | float | None, ...]] = []
-    by_id = [{column.id: column for column in side.columns} for side in (a, b)]
-    for id in dict.fromkeys([*by_id[0], *by_id[1]]):
-        sides = [side.get(id) for side in by_id]
-        one = next(side for side in sides if side is not None)
-        row: list[str | float | None] = [Name(f"{one.target.run}: {one.target.column}"), Name(one.unit)]
-        for side in sides:
-            row += [None, None, None] if side is None else _side(side)
-        rows.append(tuple(row))
-    if not rows:
-        return None
-    columns = [(Text("Run"), ""), (Text("Unit"), "")]
-    for name in names:
-        bias, chi = Text("{name}, bias", name=Name(name)), Text("{name}, χ²/n", name=Name(name))
-        columns += [(Name(name), ""), (bias, ""), (chi, "")]
-    return Table("runs", Text("Runs of the bench on both"), tuple(columns), tuple(rows))
-
-
-def _side(column: ColumnResult) -> list[str | float | None]:
-    return [WORDS[column.found.verdict], column.found.bias, column.found.chi2_reduced]
 
 
 def with_runs_of(design: Design, others: Sequence[Design]) -> Design:

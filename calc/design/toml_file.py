@@ -78,7 +78,7 @@ class Document:
     lines: dict[str, int] = field(default_factory=dict)
     raw: bytes = b""  # of the file as it was read
     former: Upgraded | None = None
-    files: Mapping[str, bytes] = field(default_factory=dict)  # what stands for files beside it, by their names
+    files: Mapping[str, bytes] = field(default_factory=dict)  # what stands for those of its runs, by name
 
     @property
     def folder(self) -> Path:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar, cast
 
 from ..sheet.check import Check
+from ..sheet.curve import MeasuredPoints
 from ..sheet.deferred import Later
 from ..sheet.in_ascii import in_ascii
 from ..sheet.quantity import Quantity
@@ -144,7 +145,9 @@ def language(code: str, ascii: bool = False) -> Language:
 # says its texts.
 
 T = TypeVar("T")
-SPOKEN = frozenset({Quantity, Curve, Erratum, DrawnLoad, Series, Table, Turning})  # records that hold texts
+SPOKEN = frozenset(
+    {Quantity, Curve, Erratum, DrawnLoad, MeasuredPoints, Series, Table, Turning}
+)  # records that hold texts
 
 
 def said(outcome: Outcome[object], say: Language) -> Outcome[object]:

@@ -104,6 +104,7 @@ WORDS: dict[str, Text] = {
     "nomenclature_note": Text("Symbol, meaning, unit and first page, by chapter; the value stands there."),
     "materials": Text("Oils and materials"), "oil": Text("Oil"),
     "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"),
+    "measured": Text("Measured"), "run": Text("Rows of the run of the bench that are used"),
     "drive": Text("Whole drive"), "front": Text("The front that this drive is one of"), "used_in": Text("Used in"),
     "sources_note": Text("Clauses, equations and tables by publication; beside each formula stands the one it was "
                          "taken from."),

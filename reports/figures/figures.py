@@ -56,11 +56,13 @@ class Stack:
         xs = np.concatenate([numbers(series.x) for curve in curves for series in curve.series])
         xs = xs[np.isfinite(xs)]
         self.ends = (float(xs.min()), float(xs.max())) if xs.size else (0.0, 1.0)
+        if self.ends[0] == self.ends[1]:  # one speed
+            self.ends = (0.9 * self.ends[0], 1.1 * self.ends[1])
         self.under = len(self.caption) * STRONG.leading
         self.height = sum(map(_height, curves)) + LOW + self.under
         looks = [Look(at_the_point, ends=self.ends, lowest=curve is curves[-1]) for curve in curves]
         self.panels = [
-            None if curve.loads else plot(plots, curve, WIDTH, LOW + PANEL + HIGH, look)
+            None if curve.loads else plot(plots, curve, WIDTH, LOW + _panel(curve) + HIGH, look)
             for curve, look in zip(curves, looks)
         ]
 
@@ -114,7 +116,12 @@ class Stack:
 
 
 def _height(curve: Curve) -> float:
-    return SKETCH if curve.loads else NAME + PANEL + HIGH
+    return SKETCH if curve.loads else NAME + _panel(curve) + HIGH
+
+
+def _panel(curve: Curve) -> float:
+    """Height of the axes: what was measured stands on a tall one, its residuals below it on one as low as others."""
+    return LOW_AXES if curve.measured is not None and curve.series[0].label else PANEL
 
 
 # --- the figures

@@ -233,6 +233,7 @@ def filled(axes: Any, curve: Curve) -> list[Arrow]:
         _bars(axes, curve)
     else:
         _lines(axes, curve)
+    _points(axes, curve)
     for i, (_, value) in enumerate(limits(curve)):
         colour, dashes, thick = limit_style(i)
         axes.axhline(value, color=colour, lw=thick, ls=_pattern(dashes, thick))
@@ -276,6 +277,18 @@ def _lines(axes: Any, curve: Curve) -> None:
     left, right = axes.get_xlim()
     turns = degrees and right - left > 45.0
     axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 1.5, 3, 4.5, 6, 9, 10] if turns else [1, 2, 2.5, 5, 10]))
+
+
+def _points(axes: Any, curve: Curve) -> None:
+    """What was measured: points, each on a bar of one standard uncertainty either way."""
+    if (points := curve.measured) is None:
+        return
+    for x, y, bar in zip(points.x.tolist(), points.y.tolist(), points.bar.tolist()):
+        if isfinite(bar) and bar > 0:
+            axes.plot(
+                [x, x], [y - bar, y + bar], color=BLACK, lw=0.7, marker="_", markersize=4.0, zorder=3, clip_on=False
+            )
+    axes.plot(points.x, points.y, color=BLACK, lw=0, marker="o", markersize=3.2, zorder=3.5, clip_on=False)
 
 
 def _variant_colours(curve: Curve) -> dict[str, Colour]:

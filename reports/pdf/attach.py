@@ -14,7 +14,11 @@ from reportlab.pdfgen.canvas import Canvas
 
 from calc.design.key_results import judged
 from calc.design.limits import PDF_UNPACKED
+from calc.design.model import Design
+from calc.design.toml_file import Document
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.quantity import dotted
+from calc.sheet.record import replace
 from calc.sheet.text import Text
 from calc.solve import Results
 
@@ -26,11 +30,12 @@ RESULTS = "results.json"
 FRONT = "front.json"
 PAIR = ("a.toml", "b.toml")  # the designs of a comparison
 # what a file is to the document, by its ending; any other only belongs to it
-RELATIONS = {"toml": "Source", "json": "Data"}
+RELATIONS = {"toml": "Source", "json": "Data", "csv": "Data"}
 KEYWORDS = re.compile(rb"Contralbero ([0-9a-z.+-]{1,30}), (depth:[a-z]+(?:, [a-z0-9]+:[0-9a-z.+-]+)+)")
 OCTAL = re.compile(rb"\\([0-3][0-7]{2})")  # as some programs write marks
 # what a file looks like, by its ending
-ALIKE = {"toml": rb"(?m)^\[engine\]", "json": rb"\A\{", "png": rb"\A\x89PNG"}
+RUN = re.compile(r"\b(run([ab]?)([0-9]+))\b")  # keywords of runs
+ALIKE = {"csv": rb"\A# rows used of ", "toml": rb"(?m)^\[engine\]", "json": rb"\A\{", "png": rb"\A\x89PNG"}
 END = b"\n%%EOF\n"  # with which this program ends a file
 STREAM = re.compile(rb"stream\r?\n")
 NO_REPORT = Text("is no report of this program, or was written before reports could be verified; write it anew")
@@ -39,11 +44,45 @@ NO_REPORT = Text("is no report of this program, or was written before reports co
 def solved_values(results: Results) -> dict[str, Any]:
     """The values and verdicts of a report by their ids; what is not finite is None."""
     outcomes = results.outcomes.values()
+    checks = [check for o in outcomes for check in o.checks]
+    values = [value for o in outcomes for value in o.values()]
+    if results.runs is not None:
+        checks, values = [*checks, *results.runs.checks], [*values, *results.runs.values]
     return {
         "steps": {o.key: o.verdict for o in outcomes},
-        "checks": {check.id: judged(check) for o in outcomes for check in o.checks},
-        "values": {v.id: v.shown if math.isfinite(v.shown) else None for o in outcomes for v in o.values()},
+        "checks": {check.id: judged(check) for check in checks},
+        "values": {v.id: v.shown if math.isfinite(v.shown) else None for v in values},
     }
+
+
+# --- runs of the bench
+# The rows that are used, in the order of the design; with them nobody needs the file.
+
+
+def run_files(results: Results, of: str = "") -> dict[str, bytes]:
+    """The files by their names; `of`: the letter of a design of two."""
+    return {_run_name(n, of): rows.kept for n, rows in enumerate(results.design.runs, 1)}
+
+
+def run_key(n: int, of: str = "") -> str:
+    """The keyword that has the sum of the n-th."""
+    return f"run{of}{n}"
+
+
+def _run_name(n: int | str, of: str) -> str:
+    return f"{of}run-{n}.csv"
+
+
+def with_runs(inside: "Inside", document: Document, of: str = "") -> Document:
+    """A design with the runs that are inside the document that it is attached to."""
+    runs = document.data.get(dotted(Design.measurements))
+    names = [run.get("name") for run in runs if isinstance(run, dict)] if isinstance(runs, list) else []
+    files = {
+        name: inside.file(_run_name(n, of))
+        for n, name in enumerate(names, 1)
+        if isinstance(name, str) and run_key(n, of) in inside.said
+    }
+    return replace(document, files=files)
 
 
 def pair_values(names: tuple[str, str], a: Results, b: Results) -> dict[str, Any]:
@@ -145,7 +184,8 @@ class Inside:
         """The files that it was written with, but for a logo, each with its sum."""
         said = self.said
         designs = {PAIR[0]: said["sha256"], PAIR[1]: said["other"]} if "other" in said else {NAME: said["sha256"]}
-        return {**designs, RESULTS: said["results"], **({FRONT: said["front"]} if "front" in said else {})}
+        runs = {_run_name(key[2], key[1]): said[key[0]] for key in RUN.findall(" ".join(said))}
+        return {**designs, RESULTS: said["results"], **({FRONT: said["front"]} if "front" in said else {}), **runs}
 
     def file(self, name: str) -> bytes:
         """What it was written with under this name, by its sum; where that is gone, what looks like it.  Raises

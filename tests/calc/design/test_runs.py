@@ -9,11 +9,11 @@ import pytest
 
 from calc.design.predicted import at_speed
 from calc.design.predicted_runs import changed_design, predictions, targets
-from calc.design.run_results import compared_runs, run_results
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
 from calc.sheet.value import recorded
 from calc.solve import solve
+from calc.studies.compare_runs import compared_runs
 from calc.studies.shipped import DESIGNS
 
 GAMMA = read(DESIGNS / "r753ie4_gamma.toml")
@@ -120,14 +120,8 @@ def test_a_changed_design_is_predicted_at_the_same_nodes():
 
 def test_two_designs_on_the_same_runs():
     a, b = solved(RUN), solved(**{"engine.piston_mass_g": 1300.0})
-    table = compared_runs(a.runs, run_results(both_of(b.design, a.design), b, solve), ("A", "B"))
+    table = compared_runs(a.runs_with(b), b.runs_with(a), ("A", "B"))
     assert table.rows[0][0] == "run: P" and table.rows[0][3] < table.rows[0][6]
-
-
-def both_of(design, other):
-    from calc.design.run_results import with_runs_of
-
-    return with_runs_of(design, [other])
 
 
 # --- of the mounting
