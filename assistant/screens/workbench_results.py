@@ -16,9 +16,9 @@ from calc.design.addresses import asks
 from calc.design.labels import SHAFTS, Place, content_at
 from calc.design.model import STEPS
 from calc.locale import Language
-from calc.locale.language import said
+from calc.locale.language import in_language, said
 from calc.sheet.check import URGENT, Check
-from calc.sheet.errors import Cancelled
+from calc.sheet.errors import BadInput, Cancelled
 from calc.sheet.progress import waited_for
 from calc.sheet.step import OF_SHAFTS, Curve, Outcome, Step, Table
 from calc.sheet.text import EMPTY, Name, Text
@@ -64,6 +64,11 @@ class Page:
     leaves: tuple[Curve | Table, ...]
 
 
+def runs_known(results: "Results") -> bool:
+    """Whether the nodes of its runs are solved."""
+    return "runs" in vars(results)
+
+
 class WorkbenchResults(WorkbenchPanes):
     """`remedies`: step → its remedy, and the results that it is a remedy for.  `pages`: step → what was written of it
     last."""
@@ -86,6 +91,7 @@ class WorkbenchResults(WorkbenchPanes):
         self._unchosen: tuple[Results, Results] | None = None  # without [imbalance]: its own results, and those with it
         self._complaints: set[Place] = set()  # fields whose mistake is shown
         self._leaves: tuple[int, int, tuple[Curve | Table, ...]] = (0, 0, ())  # of a page and a shaft, those in view
+        self._run_leaves: tuple[int, Language | None, str, tuple[Curve | Table, ...]] = (0, None, "", ())
         for timer in (self._keep, *self._quiet_timers.values()):
             if timer is not None:
                 timer.stop()
@@ -294,6 +300,7 @@ class WorkbenchResults(WorkbenchPanes):
         if self.stands:
             self.in_thread("ahead", self._write_ahead)
             self.seek_remedy()
+            self.seek_runs()
 
     def _idle(self, results: "Results | None") -> bool:
         """Whether nothing has happened since these results: what goes on behind the screen stops at the next edit, to
@@ -312,6 +319,42 @@ class WorkbenchResults(WorkbenchPanes):
             if results is None or stop():
                 return
             self._write_step(results, step, stop)
+
+    # --- runs of the bench
+    def seek_runs(self) -> None:
+        """Solve the nodes of the runs, while nothing else is to be done; what is wrong with them is told."""
+        results = self.session.results
+        if results is None or not results.design.runs or runs_known(results) or not self.session.current:
+            return
+        try:
+            results.demand_runs(self.session.document)
+        except BadInput as bad:
+            self.app.tell(bad.errors[0].reason)
+        self.in_thread("runs", partial(self._solve_runs, results))
+
+    def _solve_runs(self, results: "Results") -> None:
+        """Runs in another thread."""
+        worker = get_current_worker()
+
+        def go_on() -> None:
+            self.app.rest(self)
+            if worker.is_cancelled or not self._idle(results):
+                raise Cancelled
+
+        try:
+            with waited_for(go_on):
+                results.runs  # noqa: B018  solved now, and kept with the results
+        except Cancelled:
+            return
+        except Exception as error:  # a mistake of the program must not stop the session
+            self.app.log(f"no runs: {type(error).__name__}: {error}")
+            return
+        self.call_later(self._solved_runs, results)
+
+    def _solved_runs(self, results: "Results") -> None:
+        if self.stands and results is self.session.results:
+            self.show_verdicts()
+            self.show_written()
 
     # --- remedies
     @property
@@ -468,11 +511,19 @@ class WorkbenchResults(WorkbenchPanes):
         if results is not None:
             from calc.studies.headlines import lead  # with numpy
 
-            outcome = said(results.outcomes[self.step.key], self.app.say)
+            outcome = said(self._with_runs(results.outcomes[self.step.key]), self.app.say)
             first = lead(results, self.step.key, brief=True)
         self.checks.show(outcome, first or EMPTY)
         self._title_findings()
         self.refresh_top_line()  # the last line of the screen follows: what lies between two lines is painted with them
+
+    def _with_runs(self, outcome: Outcome[object]) -> Outcome[object]:
+        """With the checks of the runs of the step, once their nodes are solved."""
+        results = self.session.results
+        if results is None or not self.session.current or not runs_known(results) or results.runs is None:
+            return outcome
+        checks = tuple(column.check for column in results.runs.of_step(outcome.key))
+        return replace(outcome, checks=(*outcome.checks, *checks)) if checks else outcome
 
     def _title_findings(self) -> None:
         """How many findings there are; beside other panes they say so themselves."""
@@ -539,9 +590,21 @@ class WorkbenchResults(WorkbenchPanes):
         self.show_picture()
         page = self.pages.get(self.step.key)
         self.calculation.show(page.sheet if page is not None else CalculationSheet())
-        self.curve_pane.show(self.step.key, self._in_view(page) if page is not None else (), page is None)
+        leaves = (*self._in_view(page), *self._of_runs()) if page is not None else ()
+        self.curve_pane.show(self.step.key, leaves, page is None)
         self.form.refresh_taken()
         self.show_keys()
+
+    def _of_runs(self) -> tuple[Curve | Table, ...]:
+        """The curve and the table of each column of a run that is of this step, once its nodes are solved."""
+        results, say, key = self.session.results, self.app.say, self.step.key
+        if results is None or not runs_known(results):
+            return ()
+        if self._run_leaves[:3] != (id(results), say, key):
+            columns = results.runs.of_step(key) if results.runs is not None else []
+            made = tuple(in_language(leaf, say) for column in columns for leaf in (column.curve, column.table))
+            self._run_leaves = (id(results), say, key, made)
+        return self._run_leaves[-1]
 
     def _in_view(self, page: Page) -> tuple[Curve | Table, ...]:
         """What a page has of all shafts and of the one in view: values of that alone; the curves and tables of a twin

@@ -23,6 +23,7 @@ from ..base_app import BaseApp
 from .curve_view import TURN, Cursor, Sight, stand_below
 from .item_list import ItemList
 from .pane import Pane
+from .residual_strip import PLAIN_POINT, POINT
 from .table_list import TableList
 from .text import fit
 
@@ -116,6 +117,8 @@ class Legend:
         if len(series) > 1 or (series and series[0].label):
             for n, line in enumerate(series):
                 yield Content.styled(f"{self._mark(n)} {line.label}", self.app.signs.look(n, self.sight.series).colour)
+        if (points := self.sight.curve.measured) is not None:
+            yield Content(f"{PLAIN_POINT if self.app.signs.ascii else POINT} {points.label}")
         yield from self._chains()
         yield from self._limits()
 
@@ -216,7 +219,8 @@ class CurvePane(Pane, can_focus=True):
     def __init__(self) -> None:
         self.legend = Static(id="curve-legend")
         self.list = TableList()
-        super().__init__(Text("Curve"), self.legend, self.list, id="curve")
+        self.strip = Static(id="residuals")
+        super().__init__(Text("Curve"), self.legend, self.list, self.strip, id="curve")
         self.leaves: tuple[Curve | Table, ...] = ()
         self.chosen: dict[str, str] = {}  # step → id of the curve or the table that was chosen
         self.step = ""
@@ -231,7 +235,7 @@ class CurvePane(Pane, can_focus=True):
         self._drawn: tuple[Any, ...] = ()
 
     def compose(self) -> ComposeResult:
-        self.list.display = False
+        self.list.display = self.strip.display = False
         yield from super().compose()
 
     # --- what is shown
@@ -432,8 +436,10 @@ class CurvePane(Pane, can_focus=True):
                 from .plot import Plot
 
                 self._plot = Plot()
-                self.mount(self._plot)
+                self._plot.strip = self.strip
+                self.mount(self._plot, before=self.strip)
             self.call_after_refresh(self._fill)
+        self.strip.display = curve is not None and curve.measured is not None
         if self._plot is not None:
             self._plot.display = isinstance(leaf, Curve)
 

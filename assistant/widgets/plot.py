@@ -14,6 +14,7 @@ from textual.app import ComposeResult
 from textual.containers import Grid
 from textual.content import Content
 from textual.strip import Strip
+from textual.widgets import Static
 from textual_hires_canvas import Canvas
 from textual_plot import HiResMode, NumericAxisFormatter, PlotWidget
 from textual_plot.plot_widget import Legend, LinePlot
@@ -23,6 +24,7 @@ from calc.sheet.step import Curve
 from ..base_app import BaseApp
 from .curve_view import TURN, Sight, even_ticks, stand_below, ticks
 from .reading import axis, finite_limits
+from .residual_strip import BAR, PLAIN_BAR, PLAIN_POINT, POINT, bars_of, strip
 from .signs import Look, Signs
 
 if TYPE_CHECKING:
@@ -92,6 +94,8 @@ class Bars:
 class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
     """Braille lines, or bars, in a frame; the labels of the axes stand above, in the legend."""
 
+    app: BaseApp
+
     def __init__(self) -> None:
         super().__init__(allow_pan_and_zoom=False)
         self.set_reactive(PlotWidget.margin_top, 0)
@@ -103,6 +107,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         self.reading: Reading | None = None
         self._taken: dict[Cell, tuple[str, str]] = {}  # character and colour of the cells that series run through
         self._shown: tuple[Sight, Signs] | None = None
+        self.strip: Static | None = None  # below it, of the residuals of what was measured
 
     def on_mount(self, event: events.Mount | None = None) -> None:
         if event is not None and not self.query(Grid):  # the end of the program came before its parts
@@ -211,10 +216,36 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             self._render_bars(canvas, bars)
         style = str(self.get_component_rich_style("plot--tick"))
         self._name_limits(canvas)
+        self._render_measured(canvas, style)
         for point, char, colour in self.marks:
             canvas.set_pixel(*self.get_pixel_from_coordinate(point.imag, point.real), char, colour or style)
         if self.reading is not None:
             self._render_cursor(canvas, self.reading, style)
+
+    def _render_measured(self, canvas: Canvas, style: str) -> None:
+        """What was measured: points on their bars, and below the plot the strip of the residuals."""
+        if self._shown is None or (points := self._shown[0].curve.measured) is None:
+            return
+        (sight, signs), room = self._shown, self._scale_rectangle
+        point, bar = (PLAIN_POINT, PLAIN_BAR) if signs.ascii else (POINT, BAR)
+        for x, low, high in bars_of(points):
+            column, bottom = self.get_pixel_from_coordinate(x, low)
+            top = self.get_pixel_from_coordinate(x, high)[1]
+            for row in range(max(top, room.y), min(bottom, room.bottom - 1) + 1):
+                if room.contains(column, row):
+                    canvas.set_pixel(column, row, bar, style)
+        for x, y in zip(points.x.tolist(), points.y.tolist()):
+            if room.contains(*(cell := self.get_pixel_from_coordinate(x, y))):
+                canvas.set_pixel(*cell, point, style)
+        if self.strip is not None:
+            unit = axis(sight.curve.y_label)[1]
+            left, width = self.margin_left, self.size.width
+
+            def column_of(x: float) -> int:
+                return int(self.get_pixel_from_coordinate(x, self._y_min)[0])
+
+            rows = strip(points, unit, column_of, left, width, self.app.say, point)
+            self.strip.update(Content("\n".join(rows)))
 
     def _render_x_ticks(self) -> None:
         """Ticks with their numbers below; a number at the edge is moved in, and one that would run into another is left
@@ -365,6 +396,8 @@ def extent(curve: Curve) -> tuple[float, float, float, float]:
             z for chain in curve.turning for degrees in range(0, 360, TURN) for z in chain.at(math.radians(degrees))
         ]
         xs, ys = [*xs, [z.imag for z in tips]], [*ys, [z.real for z in tips]]
+    if (points := curve.measured) is not None:
+        xs, ys = [*xs, points.x], [*ys, points.y, points.y - points.bar, points.y + points.bar]
     (x_low, x_high), (y_low, y_high) = _extent(xs), _extent(ys)
     if curve.bars:
         gap = min(np.diff(places_of(curve)), default=1.0) / 2

@@ -207,7 +207,7 @@ class ColumnResult:
             row += [_number(self.predicted[i]), r, r / sigma if r is not None and sigma else None]
             rows.append(tuple(row))
         title = Text("{run}: {label}", run=Name(target.run), label=target.label)
-        return Table(self.id, title, tuple(columns), tuple(rows), self.sentence)
+        return Table(f"{self.id}.nodes", title, tuple(columns), tuple(rows), self.sentence)
 
 
 def _number(x: float) -> float | None:

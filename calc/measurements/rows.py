@@ -19,8 +19,8 @@ from .reading import RunFile, Unread
 from .units import canonical, conversion
 
 ROOT_2 = math.sqrt(2.0)
-KEPT = "# rows used of a file with sha256 "  # first line of what a report has inside
-DIGEST = re.compile(rb"# rows used of a file with sha256 ([0-9a-f]{64})\r?\n")
+KEPT = "# rows used of a file with sha256 {digest}, {lost} left out\n"  # first line of what a report has inside
+DIGEST = re.compile(rb"# rows used of a file with sha256 ([0-9a-f]{64}), ([0-9]{1,5}) left out\r?\n")
 Problem = tuple[str, Text]  # the key in the table of the run, and what is wrong there
 
 
@@ -81,7 +81,7 @@ def rows_of(
     if not any(math.isfinite(column.y[i]) for column in columns.values() for i in used):
         return None, [(dotted(Measurement.file), Text("has no row with a speed above 0 and a number beside it"))]
     kept = DIGEST.match(raw)
-    digest = kept[1].decode() if kept else file.sha256
+    digest, lost = (kept[1].decode(), int(kept[2])) if kept else (file.sha256, n - len(used))
     return RunRows(
         run.name,
         run.file,
@@ -89,8 +89,8 @@ def rows_of(
         tuple(speed[i] for i in used),
         {key: tuple(x[i] for i in used) for key, x in conditions.items()},
         {name: _of_rows(column, used) for name, column in columns.items()},
-        n - len(used),
-        _csv(run, file, used, digest),
+        lost,
+        _csv(run, file, used, KEPT.format(digest=digest, lost=lost)),
     ), []
 
 
@@ -208,7 +208,7 @@ class _Rows:
 # --- as CSV again
 
 
-def _csv(run: Measurement, file: RunFile, used: Iterable[int], digest: str) -> bytes:
+def _csv(run: Measurement, file: RunFile, used: Iterable[int], head: str) -> bytes:
     """The columns that are used, row by row, in the units of the file."""
     wanted = [run.speed_, *(condition.column for condition in run.conditions)]
     for about in run.columns:
@@ -216,7 +216,7 @@ def _csv(run: Measurement, file: RunFile, used: Iterable[int], digest: str) -> b
     names = list(dict.fromkeys(name for name in wanted if name))
     columns = [file.numbers(name) for name in names]
     written = io.StringIO()
-    written.write(f"{KEPT}{digest}\n")
+    written.write(head)
     writer = csv.writer(written, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\n")
     writer.writerow(names)
     if any(name in file.units for name in names):

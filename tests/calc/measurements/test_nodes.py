@@ -8,7 +8,7 @@ import pytest
 
 from calc.measurements.inputs import Condition, MeasuredColumn, Measurement
 from calc.measurements.nodes import nodes_of
-from calc.measurements.reading import read_csv
+from calc.measurements.reading import read_run
 from calc.measurements.residuals import chi_square, range_of_chi, residuals, runs_of
 from calc.measurements.rows import rows_of
 
@@ -19,7 +19,7 @@ def run(text, columns=None, **keys):
     about = [MeasuredColumn(column="P", value=("friction.bearing_loss",), unit="W", **(columns or {}))]
     table = Measurement(name="run", file="run.csv", **({"speed_": "n"} | keys), columns=tuple(about))
     raw = text.encode()
-    rows, problems = rows_of(table, read_csv(raw), lambda key: "°C", raw)
+    rows, problems = rows_of(table, read_run(raw, ".csv"), lambda key: "°C", raw)
     assert not problems, problems
     return rows
 
