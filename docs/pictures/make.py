@@ -136,6 +136,29 @@ def frame() -> bytes:
     out = BytesIO()
     figure.savefig(out, format="png", metadata={"Software": None})
     return out.getvalue()
+def measured() -> bytes:
+    """A run of the bench on the curve that is predicted, the residuals below it."""
+    from io import BytesIO
+
+    from PIL import Image
+
+    from calc.design.toml_file import load_design
+    from calc.locale import Language
+    from calc.solve import solve
+    from reports.figures.pixels import png
+
+    runs = solve(load_design(ROOT / "designs" / "r753ie4_measured.toml")).runs
+    assert runs is not None
+    column = runs.columns[0]
+    parts = [(column.curve, HEIGHT), (column.strip, HEIGHT / 2)]
+    drawn = [Image.open(BytesIO(png(curve, WIDTH, height, Language("en")))) for curve, height in parts]
+    whole, top = Image.new("RGB", (drawn[0].width, sum(part.height for part in drawn)), "white"), 0
+    for part in drawn:
+        whole.paste(part, (0, top))
+        top += part.height
+    written = BytesIO()
+    whole.save(written, "PNG", optimize=True)
+    return written.getvalue()
 
 
 if __name__ == "__main__":
@@ -144,3 +167,4 @@ if __name__ == "__main__":
     page(HERE / "report.png")
     for name, picture in plots().items():
         (HERE / f"{name}.png").write_bytes(picture)
+    (HERE / "measured.png").write_bytes(measured())
