@@ -12,9 +12,10 @@ from pathlib import Path
 
 from assistant.named_files import STANDARD, demand_ending, put
 from assistant.usage import COMMANDS, parser
-from calc.design.addresses import parse_assignment
+from calc.design.addresses import as_list, parse_assignment
 from calc.design.model import Design, step_of
 from calc.design.schema import schema_text
+from calc.design.toml_file import read
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
@@ -142,7 +143,21 @@ def _example(asked: Namespace) -> int:
             errors.append(InputError(0, option, "", reason))
     if errors:
         raise BadInput("contralbero new", errors)
+    runs = {} if asked.file == STANDARD else _runs_beside(known[name], Path(asked.file))
+    there = [str(target) for target in runs.values() if os.path.lexists(target)]
+    if there:
+        exists = Text("exists already and is left alone; write the design, which names it, into another folder")
+        raise BadInput("contralbero new", [InputError(0, target, "", exists) for target in there])
     put(asked.file, known[name].read_bytes(), new=True)
+    for source, target in runs.items():
+        put(str(target), source.read_bytes(), new=True)
     if asked.file != STANDARD:
-        print(asked.file)
+        print(asked.file, *runs.values(), sep="\n")
     return 0
+
+
+def _runs_beside(example: Path, file: Path) -> dict[Path, Path]:
+    """The files of the runs of an example, each with where it goes."""
+    runs = read(example).data.get(dotted(Design.measurements), [])
+    names = dict.fromkeys(str(run["file"]) for run in as_list(runs) if isinstance(run, dict))
+    return {example.with_name(name): file.with_name(name) for name in names}
