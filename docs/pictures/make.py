@@ -136,6 +136,8 @@ def frame() -> bytes:
     out = BytesIO()
     figure.savefig(out, format="png", metadata={"Software": None})
     return out.getvalue()
+
+
 def measured() -> bytes:
     """A run of the bench on the curve that is predicted, the residuals below it."""
     from io import BytesIO
