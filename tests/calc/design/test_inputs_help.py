@@ -12,7 +12,7 @@ from calc.design.toml_file import design, parse, read
 from calc.design.unusual import told, unusual
 from calc.sheet.quantity import Quantity, keys
 from calc.studies.shipped import DESIGNS, engine_design, engines, shipped_name
-from tests.conftest import SHIPPED
+from tests.conftest import RUN_FILES, SHIPPED
 
 NUMBERS = ("number", "integer", "series", "integers")
 USUAL = 99  # quantities with a usual range: none of them is to be lost
@@ -30,7 +30,7 @@ ALL = dict(pair for step in STEPS for pair in quantities(step.inputs, step.key))
 
 
 def unusual_of(text: str) -> dict[str, float]:
-    return {one.key: one.number for one in unusual(design(parse(text.encode(), "x.toml")))}
+    return {one.key: one.number for one in unusual(design(parse(text.encode(), "x.toml", RUN_FILES)))}
 
 
 @pytest.mark.parametrize("key", ALL)
