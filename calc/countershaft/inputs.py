@@ -155,7 +155,7 @@ class Holes:
         up_to=500,
         symbol="h_c",
         source="Finotti 2013, 4.1",
-        help="From the outer radius; the drill's cone is left out.",
+        help="Of the full diameter, from the outer radius; the cone of a drill of 118° goes on from there.",
         change=("shallower holes", "deeper holes"),
         repair="free",
     )

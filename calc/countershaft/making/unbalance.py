@@ -2,9 +2,7 @@
 """Calibration holes and balance quality: what drilling takes off the shaft's couple, and what unbalance may stay.
 
 Radial holes are drilled into the eccentric masses.  Drilling only takes away, so a shaft that is to be calibrated is
-made stronger than it has to be, by half of what drilling can take.  The hole is a cylinder from the outer radius
-inwards: the drill's cone, and the curve of the surface over the hole (d²/(32·R) of its depth in the mean), are left
-out."""
+made stronger than it has to be, by half of what drilling can take."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -15,7 +13,7 @@ from ...library.tolerances import ISO, grade_number
 from ...sheet.arrays import Array
 from ...sheet.check import Check, CheckRule
 from ...sheet.formula import formula
-from ...sheet.functions import largest, modulus, pi, smallest, total
+from ...sheet.functions import largest, modulus, smallest, total
 from ...sheet.quantity import dotted, result, value
 from ...sheet.remedy import Remedy, by_key, down
 from ...sheet.shown import Shown
@@ -34,11 +32,10 @@ from ...sheet.units import (
     RadPerSecond,
 )
 from ...sheet.value import about, based_on, untraced
+from ..balancing.hole import POINT, bottom_radius, cone_length, drill_radius, hole_mass, hole_unbalance, mean_surface
 from ..inputs import Holes, ShaftInputs
 from ..outline import Piece
 from ..rows import SHAFT
-
-HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013, 4.1)")
 
 
 @result
@@ -57,22 +54,9 @@ class HolesResult(Shown):
     )
 
 
-@formula("m_c", Text("{holes}: a cylinder of the drill's diameter", holes=HOLES), unit="g", meanings={"rho": "Density"})
-def hole_mass(rho: KilogramPerMetre3, d_c: Metre, h_c: Metre) -> Kilogram:
-    """>>> hole_mass(rho=7860, d_c=0.014, h_c=0.02)
-    0.02419905...
-    """
-    return rho * pi * d_c**2 / 4 * h_c
-
-
-@formula("e_c", Text("{holes}: middle of the depth, from the outer radius", holes=HOLES), unit="mm")
-def hole_centroid_radius(R: Metre, h_c: Metre) -> Metre:
-    return R - h_c / 2
-
-
-@formula("ΔU", Text("{holes}: unbalance taken away", holes=HOLES), unit="g·mm")
-def hole_unbalance(m_c: Kilogram, e_c: Metre) -> KilogramMetre:
-    return m_c * e_c
+@formula("e_c", "definition: unbalance of a hole over its mass", unit="mm", names={"U": "ΔU"})
+def hole_centroid_radius(U: KilogramMetre, m_c: Kilogram) -> Metre:
+    return U / m_c
 
 
 @formula(
@@ -139,9 +123,11 @@ def calibration(
     """
     n = float(z.size)
     with about(Text("calibration holes")):
-        m_c = hole_mass(rho=rho, d_c=holes.diameter, h_c=holes.depth)
-        e_c = hole_centroid_radius(R=R_outer, h_c=holes.depth)
-        unbalance = hole_unbalance(m_c=m_c, e_c=e_c)
+        a_c = drill_radius(d=holes.diameter)
+        l_c, q_c = cone_length(a=a_c, theta=POINT), bottom_radius(R=R_outer, h=holes.depth)
+        m_c = hole_mass(rho=rho, a=a_c, R_m=mean_surface(R=R_outer, a=a_c), q=q_c, l=l_c)
+        unbalance = hole_unbalance(rho=rho, a=a_c, R=R_outer, q=q_c, l=l_c)
+        e_c = hole_centroid_radius(U=unbalance, m_c=m_c)
         couple = hole_couple(U=unbalance, z_m=mean_arm(z=z, n=n), omega=omega)
         whole = hole_range(N_c=holes.count, C=couple)
         share = range_share(C_c=whole, C_S=C_required) if C_required else None

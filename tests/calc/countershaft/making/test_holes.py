@@ -21,19 +21,20 @@ def found(holes=HOLES, rho=7860.0, R=0.040, z=(-0.077, 0.077), C=572.932):
 
 
 def test_one_hole_of_the_source():
-    """Worked by hand: π/4·1.4²·2·7.86 = 24.20 g at 40 − 10 = 30 mm, 726.0 g·mm, 4.14 N·m at 77 mm and 2600 rpm."""
+    """Worked by hand: π/4·1.4²·7.86 = 12.10 g/cm over 3.985 − 2 + 0.421/3 cm = 25.71 g, their centre of gravity at
+    29.2 mm, 750.7 g·mm, 4.285 N·m at 77 mm and 2600 rpm."""
     r = found()
-    assert r.hole_mass * 1e3 == pytest.approx(24.20, abs=5e-3)
-    assert r.hole_centroid_radius * 1e3 == pytest.approx(30)
-    assert r.hole_unbalance * 1e6 == pytest.approx(726.0, abs=0.05)
-    assert r.hole_couple == pytest.approx(4.14, abs=5e-3)
+    assert r.hole_mass * 1e3 == pytest.approx(25.71, abs=5e-3)
+    assert r.hole_centroid_radius * 1e3 == pytest.approx(29.2, abs=5e-3)
+    assert r.hole_unbalance * 1e6 == pytest.approx(750.7, abs=0.05)
+    assert r.hole_couple == pytest.approx(4.285, abs=5e-4)
 
 
 def test_four_holes_and_the_overdesign_they_need():
     r = found()
-    assert r.hole_range == pytest.approx(16.6, abs=0.05)
-    assert r.hole_range_share * 100 == pytest.approx(2.9, abs=0.05)
-    assert r.hole_overdesign * 100 == pytest.approx(1.45, abs=0.02)
+    assert r.hole_range == pytest.approx(17.14, abs=0.005)
+    assert r.hole_range_share * 100 == pytest.approx(2.992, abs=0.001)
+    assert r.hole_overdesign * 100 == pytest.approx(1.496, abs=0.001)
     assert r.hole_unbalance_of_mass == pytest.approx(2 * r.hole_unbalance)
 
 
@@ -41,11 +42,6 @@ def test_a_shaft_without_a_required_couple_has_no_share_of_it():
     r = found(C=0.0)
     assert r.hole_range_share is None and r.hole_overdesign is None
     assert r.hole_range > 0
-
-
-def test_a_hole_to_the_far_side_takes_no_unbalance():
-    """Right through the shaft, as much is taken on one side of the axis as on the other."""
-    assert found(replace(HOLES, depth=0.080)).hole_unbalance == pytest.approx(0, abs=1e-15)
 
 
 @given(st.integers(1, 20), st.floats(0.001, 0.05), st.floats(0.03, 0.2))
@@ -56,8 +52,8 @@ def test_the_range_is_that_of_the_masses_drilled_at_once(per_mass, depth, arm):
     assert r.hole_range == pytest.approx(OMEGA**2 * np.sum(r.hole_unbalance_of_mass * np.abs(z)))
 
 
-@given(st.floats(0.001, 0.039))
-def test_deeper_takes_more_up_to_the_axis(depth):
+@given(st.floats(0.001, 0.0355))
+def test_deeper_takes_more_until_the_cone_is_at_the_axis(depth):
     assert found(replace(HOLES, depth=depth + 1e-4)).hole_unbalance > found(replace(HOLES, depth=depth)).hole_unbalance
 
 
