@@ -631,6 +631,7 @@ def _on_engine(
     whether they turn as they must, and its curves."""
     g = gears.with_residuals(g, h.balanced(c))
     if design.gears is not None:
+        g = gears.with_coats(g, design.gears)
         g = gears.with_window(g, design.gears, h.may_leave(c, left))
     g = gears.with_speed_ratios(g, h.ratios(design), design.engine)
     made = Later(partial(drive_curves, g.solution.drive)), Later(partial(curves, g.solution))

@@ -9,6 +9,8 @@ from itertools import pairwise
 from ..library.tolerances import BALANCE_GRADES
 from ..sheet.quantity import choice, described, dotted, inputs, integer, keys, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
+from .balancing.inputs import Balancing, Stretch
+from .balancing.inputs import problems as balancing_problems
 from .making.inputs import Bolts, Cost, FurtherBolts, FurtherDrain, OilDrain, Part, ShaftSupport
 from .rows import ASKED_ELSEWHERE, OF_ORIGINAL, BearingRow, said_in
 
@@ -507,6 +509,13 @@ class ShaftInputs:
         "What hangs on the shaft", ShaftLoad, default=(), help="Pumps that the shaft or its train drives.", fold=AROUND
     )
     holes: Holes | None = table("Calibration holes", Holes, default=None, fold=SUPPORT)
+    balancing: Balancing | None = table(
+        "Balancing sheet",
+        Balancing,
+        default=None,
+        help="The empty table asks for it: targets, permitted unbalance, rings and holes, in the shop's angles.",
+        fold=SUPPORT,
+    )
     scatter: Scatter | None = table("Production scatter", Scatter, default=None, fold=SUPPORT)
     bolts: Bolts | None = table("Bolts of the support", Bolts, default=None, fold=SUPPORT)
     further_bolts: tuple[FurtherBolts, ...] = tables("Further bolts", FurtherBolts, default=(), fold=SUPPORT)
@@ -634,6 +643,11 @@ class ShaftInputs:
                 dotted(ShaftInputs.holes, Holes.depth),
                 Text("must stay below outer_radius_mm, {outer_radius} mm: a hole ends before the axis", outer_radius=R),
             )
+        if self.balancing is not None:
+            angles = {mass.name: mass.angle for mass in self.masses} if self.mode == "given" else {}
+            there = [Stretch(s.from_, s.to, s.outer_radius, s.half_angle is not None) for s in self.sections]
+            wrong = balancing_problems(self.balancing, angles, there, self.outer_radius)
+            yield from ((dotted(ShaftInputs.balancing, key), why) for key, why in wrong)
         yield from self._envelope()
         yield from self._sections()
         if self._placed:

@@ -28,6 +28,7 @@ from .rows import called, sign
 from .sums import SystemResult
 
 if TYPE_CHECKING:  # loaded only where they are asked for
+    from .balancing.result import BalancingResult
     from .making.bolts import BoltsResult
     from .making.drain import DrainResult
     from .making.scatter import ScatterResult
@@ -190,6 +191,7 @@ class CountershaftResult(Shown):
     bending: Bending | None = group(spread=True, default=None)
     tolerance: ToleranceResult | None = group(spread=True, default=None)
     holes: HolesResult | None = group(spread=True, default=None)
+    balancing: "BalancingResult | None" = group(default=None, words="balancing sheet")
     scatter: "ScatterResult | None" = group(default=None, words="scatter")
     bolts: "BoltsResult | None" = group(spread=True, default=None)
     further_bolts: "dict[str, BoltsResult] | None" = group(default=None, words="further bolts")

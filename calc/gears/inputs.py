@@ -127,6 +127,26 @@ class Mesh:
         help="One wheel is split, and a spring turns its halves apart: the flanks stay closed.",
         fold=MESHES,
     )
+    shim_step: float | None = quantity(
+        "Step of the shims",
+        "µm",
+        default=None,
+        up_to=1000,
+        help="By which the centre distance is set when the engine is put together; for the balancing sheet.",
+        fold=MESHES,
+    )
+    coat: float | None = quantity(
+        "Coat on the flanks",
+        "µm",
+        default=None,
+        up_to=1000,
+        symbol="s_c",
+        help="On both flanks of one of the wheels, which is set without backlash: once it has worn off, twice its "
+        "thickness is left.",
+        change=("thinner coat", "thicker coat"),
+        repair="free",
+        fold=MESHES,
+    )
     stack: tuple[Contributor, ...] = tables(
         "Parts between the centres",
         Contributor,

@@ -21,6 +21,7 @@ from ..sheet.value import about, trace
 from . import stages as chains
 from .backlash.case import free_turn, lags
 from .backlash.formulas import residual_couple, residual_force
+from .backlash.setting import coat_checks
 from .backlash.solve import play, with_couple
 from .checks import checks as train_checks
 from .checks import no_wheel_check, speed_ratio_check
@@ -232,6 +233,11 @@ def struck(outcome: Outcome[TrainResult], gears: GearsInputs, context: RatingCon
     of_wheels = {name: replace(wheel, strikes=wheels.get(name)) for name, wheel in train.wheels.items()}
     result = replace(train, meshes=of_meshes, wheels=of_wheels, drive=drive)
     return replace(_joined(outcome, told), result=result)
+
+
+def with_coats(outcome: Outcome[TrainResult], gears: GearsInputs) -> Outcome[TrainResult]:
+    """The same with what the coats of its flanks leave, against what the meshes need."""
+    return _joined(outcome, coat_checks(gears, outcome.solution))
 
 
 def with_window(

@@ -13,7 +13,6 @@ from ...sheet.functions import pi, sqrt, tan
 from ...sheet.text import Text
 from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre3, Metre, Radian
 
-POINT: Radian = 118 * pi / 180  # of a usual twist drill
 HOLES = Text("geometry, a radial hole by a drill with its cone into a cylinder (Finotti 2013, 4.1, has it flat)")
 NAMES = {"theta": "θ_c", "a": "a_c", "q": "q_c", "l": "l_c"}
 MEANINGS = {
@@ -34,7 +33,7 @@ def drill_radius(d: Metre) -> Metre:
 
 @formula("l_c", Text("{holes}: its cone", holes=HOLES), unit="mm", names=NAMES, meanings=MEANINGS)
 def cone_length(a: Metre, theta: Radian) -> Metre:
-    """>>> cone_length(a=0.007, theta=POINT)
+    """>>> cone_length(a=0.007, theta=118 * pi / 180)
     0.0042060243...
     """
     return a / tan(theta / 2)

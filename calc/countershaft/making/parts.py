@@ -22,6 +22,10 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import KilogramPerMetre3, Metre, Number, RadPerSecond
 from ...sheet.value import about, based_on, trace
 from .. import formulas as f
+from ..balancing import told
+from ..balancing.checks import checks as balancing_checks
+from ..balancing.solve import Made
+from ..balancing.solve import sheet as balancing_sheet
 from ..inputs import EccentricMass, ShaftInputs
 from ..outline import Journals, density_ratio
 from ..result import CountershaftResult
@@ -35,6 +39,7 @@ from .inputs import ShaftSupport
 from .unbalance import HolesResult, ToleranceResult
 
 if TYPE_CHECKING:
+    from ..balancing.result import BalancingResult
     from .drain import DrainResult
     from .scatter import ScatterResult
 
@@ -123,6 +128,7 @@ def making(
     """The result with all of it but the bending; `R`: outer radius of the sectors, where it is known."""
     shaft, materials, journals = _with_wall(step.shaft, step.journals), step.materials, step.journals
     result = replace(result, tolerance=_permitted(step, result), holes=_holes(step, masses, result, R))
+    result = replace(result, balancing=_balancing(step, masses, result, R))
     scattered, other, bolted = _scatter(step, masses, result), None, None
     if shaft.cost is not None or shaft.mode == "size":
         loads = list(result.loads.values())
@@ -234,6 +240,24 @@ def _holes(
     over = f.couple_beyond(C_S=result.couple_vector, C_req=based_on(-todo.C, todo.C)) if todo.couple else None
     step.checks += balance.hole_checks(holes, R, core_radius, len(masses), sectors, drilled, over)
     return drilled
+
+
+def _balancing(
+    step: ShaftStep, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None
+) -> "BalancingResult | None":
+    """The sheet for the balancing machine, where it is asked for."""
+    table = step.shaft.balancing
+    if table is None:
+        return None
+    made = Made(masses, result.outline, R, step.sector_density, step.material.density, result.tolerance)
+    found = balancing_sheet(step.shaft, table, made)
+    if found is None:
+        step.notes.append(told.no_zero(table, masses))
+        return None
+    step.checks += balancing_checks(found)
+    step.notes += told.notes(step.shaft, found)
+    step.tables += Later(lambda: told.tables(found))
+    return found
 
 
 def _scatter(step: ShaftStep, masses: tuple[EccentricMass, ...], result: CountershaftResult) -> "ScatterResult | None":

@@ -32,7 +32,8 @@ from ...sheet.units import (
     RadPerSecond,
 )
 from ...sheet.value import about, based_on, untraced
-from ..balancing.hole import POINT, bottom_radius, cone_length, drill_radius, hole_mass, hole_unbalance, mean_surface
+from ..balancing.hole import bottom_radius, cone_length, drill_radius, hole_mass, hole_unbalance, mean_surface
+from ..balancing.inputs import POINT
 from ..inputs import Holes, ShaftInputs
 from ..outline import Piece
 from ..rows import SHAFT

@@ -191,6 +191,43 @@ def residual_force(F: Newton, Delta_phi: Radian) -> Newton:
     return 2 * F * sin(Delta_phi / 2)
 
 
+# --- how it is set: by shims between the centres, or by a coat that wears off
+
+
+@formula(
+    "j'",
+    Text("{iso}: change of the normal backlash over that of the centre distance; to first order", iso=ISO),
+    meanings={"return": "Backlash for a change of the centre distance"},
+)
+def backlash_per_centre(alpha_wt: Radian, beta_b: Radian) -> Number:
+    """>>> import math
+    >>> backlash_per_centre(alpha_wt=math.radians(21.17), beta_b=math.radians(18.74724))
+    0.683948...
+    """
+    return 2 * sin(alpha_wt) * cos(beta_b)
+
+
+@formula(
+    "j_bn,c",
+    "geometry, set without backlash on a coat on both flanks of one wheel: what is there once it has worn off",
+    unit="µm",
+    meanings={"s_c": "Thickness of the coat", "return": "Backlash that the coat leaves"},
+)
+def coat_backlash(s_c: Metre) -> Metre:
+    return 2 * s_c
+
+
+@formula(
+    "j_bn,need",
+    "rule of this program: what tolerance, runout and temperature take of the nominal backlash at their worst",
+    unit="µm",
+    names={"j_bn": "j_bn", "j_least": "j_bn,least"},
+    meanings={"j_least": "Smallest backlash that is judged", "return": "Backlash that is needed"},
+)
+def needed_backlash(j_bn: Metre, j_least: Metre) -> Metre:
+    return j_bn - j_least
+
+
 # --- the parts between two centres
 
 
@@ -325,6 +362,10 @@ class PlayResult(Shown):
     )
     backlash_transverse: Metre = value("Circumferential backlash at the reference circle, mid-tolerance", "µm", "j_t")
     backlash_radial: Metre = value("Radial backlash, mid-tolerance", "µm", "j_r")
+    backlash_per_centre: Number = value("Backlash for a change of the centre distance, normal", "", "j'")
+    coat_backlash: Metre | None = value(
+        "Backlash once the coat has worn off, normal", "µm", "j_bn,c", default=None, short=True
+    )
     backlash_recommended: Metre = value("Recommended smallest backlash, normal", "µm", "j_bn,rec")
     centre_tolerance_rss: Metre | None = value(
         "Tolerance of the centre distance (±), root of squares", "µm", "T_a", default=None

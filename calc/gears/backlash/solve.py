@@ -61,9 +61,13 @@ def play(
     with about(Text("train, running")):
         states = t.states(gears, gears.warmer)
     values: dict[str, dict[str, float]] = {}
+    coats = {mesh.key: mesh.coat for mesh in gears.meshes}
     smallest: dict[str, tuple[t.AtState, ...]] = {}
     for m, alpha in known:
         values[m.key] = _kinds(m) | _stacked(m)
+        if (coat := coats[m.key]) is not None:
+            with about(Text("mesh {name}, coat", name=m.name)):
+                values[m.key]["coat_backlash"] = b.coat_backlash(s_c=coat)
         warm, smallest[m.key] = _warm(m, alpha, states)
         values[m.key] |= warm
     wheels = tuple(dict.fromkeys(turn.wheel for turn in train.shafts.values()))
@@ -98,6 +102,7 @@ def _kinds(m: BacklashCase) -> dict[str, float]:
         return dict(
             backlash_circumferential=j_wt,
             backlash_transverse=b.reference_backlash(j_wt=j_wt, d=d, d_w=d_w),
+            backlash_per_centre=b.backlash_per_centre(alpha_wt=alpha_wt, beta_b=beta_b),
             backlash_radial=b.radial_backlash(j_wt=j_wt, alpha_wt=alpha_wt),
             backlash_recommended=b.recommended_backlash(a_w=m.mesh.centre_distance, m_n=m.system.m_n),
             play_angle_nominal=b.play_angle_at_base(j_bn=j_bn, beta_b=beta_b, d_b=m.driven.base_diameter),
