@@ -102,6 +102,13 @@ KINDS: dict[str, FileKind] = {
                 "transfer": Text("the transfer functions of the mounts"),
             },
         ),
+        FileKind(
+            "balancing",
+            "balancing",
+            ("pdf", "csv"),
+            Text("the sheet for the balancing machine"),
+            alone=False,
+        ),
         FileKind("json", "results", ("json",), Text("all results")),
         FileKind(
             "xlsx",

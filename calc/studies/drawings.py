@@ -64,7 +64,7 @@ def sheets(
     drawn = []
     for n, (name, view) in enumerate(views.items(), 1):
         alone = len(results.design.shafts) == 1 and results.of_shafts  # which one of several in view does not have
-        title = "" if alone else say(_titled(view, name))
+        title = "" if alone else say(titled(view, name))
         sheet = shaft_sheet(view, say, data, title=title, sheet=f"{n}/{len(views)}", release=release)
         drawn += [] if sheet is None else [sheet]
     return drawn
@@ -77,7 +77,7 @@ def wheel_sheet(
     return wheel_sheets(results, str, data, release_of(results, sha256))[wheel]
 
 
-def _titled(view: Results, name: str) -> Text:
+def titled(view: Results, name: str) -> Text:
     """What the title block says of one of several shafts: whose drawing it is, and for which others it stands."""
     words = {"mirrors": Text("{title}; {name} is its mirror image"), "repeats": Text("{title}; {name} is its like")}
     title = Text("Balance shaft {name}", name=Name(name))

@@ -34,10 +34,10 @@ CHORD = 0.02 * MM  # how far the pieces of an arc may stand off it
 def drawing_blocks(context: Context) -> list[Block]:
     """A page for each sheet of what the design draws."""
     drawn = sheets(context.original or context.results, context.say, context.document.data, context.sha256)
-    return [_block(sheet, context.words["drawing"]) for sheet in drawn]
+    return [sheet_block(sheet, context.words["drawing"]) for sheet in drawn]
 
 
-def _block(sheet: WorkshopSheet, title: str) -> Block:
+def sheet_block(sheet: WorkshopSheet, title: str) -> Block:
     words = (stroke.text for mark in sheet.marks for stroke in strokes_of(mark) if isinstance(stroke, Words))
     alt = f"{title}: {'; '.join(read_out(words))}"
     page = sheet.paper.wide * MM, sheet.paper.high * MM

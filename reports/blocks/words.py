@@ -99,6 +99,7 @@ WORDS: dict[str, Text] = {
     ),
     "zero_values": Text("Zero throughout, not shown: {names}."), "more": Text("and {count} more, in the audit report"),
     "others": Text("further: {values}"), "more_proposals": Text("and {count} more, in the engineer report"),
+    "balancing": Text("Balancing sheet"),
     "drawing": Text("Drawing sheet"), "index": Text("Index of values"), "nomenclature": Text("Nomenclature"),
     "in_si": Text("Formulas take SI units: m, kg, s, N, Pa, W, rad."),
     "nomenclature_note": Text("Symbol, meaning, unit and first page, by chapter; the value stands there."),

@@ -125,7 +125,7 @@ def reading_check(found: BalancingResult, serial: str) -> Check:
     plane, words = found.planes[n], (Text("front plane"), Text("rear plane"))[n]
     error, unsure = counted_error(plane), None
     if error:
-        taken = Text("the error of the machine, {words}: it can not tell", words=words)
+        taken = Text("its readings, within their error in the {plane}", plane=words)
         unsure = Missing((ERROR,), (taken,), max(left[n] - error, 0.0), left[n] + error)
     where = Text("{name}, {plane}", name=name, plane=words)
     return READING(left[n], _permitted(plane), at=serial, name=where, missing=unsure)
