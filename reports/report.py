@@ -23,7 +23,7 @@ from calc.studies.drive.front import picked
 from .blocks.chapter import Parts, chapter_parts, derivation, of_all, of_one, twin_blocks, verdict_words
 from .blocks.checks import check_blocks, errata_blocks
 from .blocks.contents import ContentsEntry, contents_blocks, index_blocks, source_blocks
-from .blocks.drawing import drawing_blocks, wheel_blocks
+from .blocks.drawing import balancing_blocks, drawing_blocks, wheel_blocks
 from .blocks.drive import drive_blocks, front_figure
 from .blocks.inputs import input_blocks, material_blocks
 from .blocks.nomenclature import nomenclature_blocks
@@ -230,12 +230,13 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
         body += _section(f"{number}  {w['nomenclature']}", "nomenclature", entries, need=70.0)
         body += symbols
         number += 1
-    if drawn := drawing_blocks(context):
-        title = f"{number}  {w['drawing']}"
-        entries.append(ContentsEntry(title, "drawing", {}))
-        body.append(Block(0.0, lambda pen, y: None, content=Heading(title, 1)))  # which the sheet has no room for
-        body += [replace(drawn[0], anchor="drawing", outline=(0, title)), *drawn[1:]]
-        number += 1
+    for anchor, drawn in (("drawing", drawing_blocks(context)), ("balancing", balancing_blocks(context))):
+        if drawn:
+            title = f"{number}  {w[anchor]}"
+            entries.append(ContentsEntry(title, anchor, {}))
+            body.append(Block(0.0, lambda pen, y: None, content=Heading(title, 1)))  # which the sheet has no room for
+            body += [replace(drawn[0], anchor=anchor, outline=(0, title)), *drawn[1:]]
+            number += 1
     if context.audit and (index := index_blocks(body)):
         body += _section(f"{number}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
         body += index

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..design.predicted import at_speed
-from ..draw.balancing_sheet import BalanceSheet, at_angle, balancing_sheet, down
+from ..draw.balancing_sheet import at_angle, balancing_sheet, down
+from ..draw.balancing_views import BalanceSheet
 from ..draw.sizes import Say, number
 from ..draw.workshop_sheet import DrawnPart, WorkshopSheet
 from ..exchange.frame import frame_of

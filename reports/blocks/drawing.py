@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from calc.draw.drawing import LAYERS, Arc, Area, Hatch, Ink, Measure, Point, Polyline, Words, hatch_lines, strokes_of
 from calc.locale.language import in_language
 from calc.sheet.text import EMPTY
+from calc.studies.balancing import sheets as balancing_sheets
 from calc.studies.drawings import WorkshopSheet, sheets, wheels
 
 from ..context import Context
@@ -35,6 +36,12 @@ def drawing_blocks(context: Context) -> list[Block]:
     """A page for each sheet of what the design draws."""
     drawn = sheets(context.original or context.results, context.say, context.document.data, context.sha256)
     return [sheet_block(sheet, context.words["drawing"]) for sheet in drawn]
+
+
+def balancing_blocks(context: Context) -> list[Block]:
+    """A page for each shaft that asks for a balancing sheet."""
+    drawn = balancing_sheets(context.original or context.results, context.say, context.sha256)
+    return [sheet_block(sheet, context.words["balancing"]) for sheet in drawn.values()]
 
 
 def sheet_block(sheet: WorkshopSheet, title: str) -> Block:
