@@ -57,7 +57,7 @@ def balancing_sheet(
 def _fitting(of: BalanceSheet, room: float, say: Say) -> tuple[float, "list[Tables]"]:
     """The height of a row, and the tables with as many readings as there is room for; at last with less of the end of
     the line."""
-    ways = [(ROW, 4, MANY), (ROW, 2, MANY), *((CLOSE, n, MANY) for n in (4, 2, 1)), *((CLOSE, 1, n) for n in (6, 4, 2))]
+    ways = [(ROW, 4, MANY), (ROW, 2, MANY), *((CLOSE, n, MANY) for n in (4, 2, 1)), *((CLOSE, 1, n) for n in (5, 3, 1))]
     for row, readings, lines in ways:
         tables = [_targets(of, say), _holes(of, say), *_read(of, readings, say), _line(of, lines, say)]
         if sum(_height(table, row) + GAP for table in tables) <= room:
@@ -200,6 +200,8 @@ def _read(of: BalanceSheet, most: int, say: Say) -> "tuple[Tables, Tables]":
         rows += [("", "", "", "", "", part, "", "") for part in parts[1:]]
         if lost := _lost(of, told):
             unreached.append(_row(say, Name(read.serial), COMMA.join(lost)))
+    if (more := len(found.inputs.readings) - most) > 0:
+        rows.append((say(Text("and {n} more", n=more)), *[""] * 7))
     blank = not found.inputs.readings
     rows += [(say(words), *[""] * 7) for words in (Text("read"), Text("drilled")) if blank]
     columns = (20.0, 19.0, 14.0, 19.0, 14.0, 46.0, 26.0, 22.0) if blank else _fitted(rows, WIDE, grows=5)
@@ -249,4 +251,6 @@ def _line(of: BalanceSheet, most: int, say: Say) -> Tables:
     """What the end of the line measures."""
     rows = [_row(say, Text("End of line"), Text("shall be"), Text("measured"))]
     rows += [_row(say, what, shall, EMPTY) for what, shall in of.line[:most]]
+    if len(of.line) > most:
+        rows.append(_row(say, Text("and {n} more", n=len(of.line) - most), EMPTY, EMPTY))
     return [(0.0, "", rows, _fitted(rows, WIDE, grows=2, least=30.0))] if of.line else []

@@ -36,10 +36,8 @@ class BalanceSheet:
     whether the shaft turns against it; `also`: its mirror images; `line`: rows of the end of the line: what, and what
     it shall be."""
 
-    name: str
     found: "BalancingResult"
     outline: "Outline | None"
-    bearings: tuple[Metre, ...]
     R: Metre
     turn: Number
     backwards: bool
@@ -52,7 +50,7 @@ class BalanceSheet:
 
 def views(page: Leaf, of: BalanceSheet, top: float, high: float, say: Say) -> None:
     """Side by side in a strip of the page; what the angles are stands under the view from the side."""
-    said = [say(line) for line in _conditions(of)]
+    said = [say(line) for line in conditions(of)]
     words = len(said) * LINE + GAP
     middle, right = top - high / 2, LEFT + DIAL_WIDE + (WIDE - DIAL_WIDE) / 2
     page.add(_dial(of, high - 4.0), LEFT + DIAL_WIDE / 2, middle)
@@ -94,7 +92,7 @@ def _dial(of: BalanceSheet, high: float) -> Leaf:
     return leaf
 
 
-def _conditions(of: BalanceSheet) -> Iterator[Text]:
+def conditions(of: BalanceSheet) -> Iterator[Text]:
     """From where angles count and which way; of a mirror image the other way."""
     yield Text("0 = {zero}", zero=of.found.zero_words)
     if of.turn * of.found.sense > 0:

@@ -17,7 +17,7 @@ from ..exchange.frame import number as exact
 from ..gears.result import TrainResult
 from ..sheet.quantity import published
 from ..sheet.record import replace
-from ..sheet.text import COMMA, EMPTY, Amount, Name, Text
+from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import UNITS, Metre, NewtonMetre
 from ..sheet.value import recorded
 from ..solve import Results, solve
@@ -50,24 +50,29 @@ def sheets(results: Results, say: Say = str, sha256: str = "") -> dict[str, Work
 
 def _page(view: Results, name: str, count: str, say: Say, sha256: str) -> WorkshopSheet:
     shaft, inputs = view.shaft, view.design.countershaft
+    assert shaft is not None and inputs is not None
+    title = titled(view, name) if len((view.viewed or view).design.shafts) > 1 else view.design.title("countershaft")
+    mass = say(Text("{m} kg", m=number(shaft.mass, 2))) if shaft.mass is not None else ""
+    part = DrawnPart(say(title), inputs.material, mass, count, view.design.name)
+    release = release_of(view.viewed or view, sha256)
+    return balancing_sheet(page_of(view, name), part, view.design.control, release, say)
+
+
+def page_of(view: Results, name: str) -> BalanceSheet:
+    """What stands on the page of the shaft in view."""
+    shaft, inputs = view.shaft, view.design.countershaft
     assert shaft is not None and inputs is not None and shaft.balancing is not None
     radii = [hole.drill.R for hole in shaft.balancing.hole.values()]
     radii += [piece.outer_radius for piece in shaft.outline.pieces] if shaft.outline is not None else []
-    of = BalanceSheet(
-        name=name,
+    return BalanceSheet(
         found=shaft.balancing,
         outline=shaft.outline,
-        bearings=inputs.bearing_positions,
-        R=max(radii, default=max(mass.radius for mass in shaft.masses) * 2),
+        R=max(radii, default=2 * max(mass.radius for mass in shaft.masses)),
         turn=float(frame_of(view.design).turn),
         backwards=inputs.speed_ratio < 0,
         also=_also(view, name),
         line=tuple(line_rows(view, shaft.balancing)),
     )
-    title = titled(view, name) if len((view.viewed or view).design.shafts) > 1 else view.design.title("countershaft")
-    mass = Text("{m} kg", m=number(shaft.mass, 2)) if shaft.mass is not None else EMPTY
-    part = DrawnPart(say(title), inputs.material, say(mass) if mass else "", count, view.design.name)
-    return balancing_sheet(of, part, view.design.control, release_of(view.viewed or view, sha256), say)
 
 
 def _also(view: Results, name: str) -> Text:
