@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pictures of the documents, from the program itself: `python docs/pictures/make.py`.
 
-The session as it stands on a terminal (SVG), the first page of a report (PNG; needs pypdfium2, of the extra `docx`),
-and the plots of the tutorials (PNG), each a curve of a solved design as the report draws it."""
+The session as it stands on a terminal (SVG), the first page of a report and a balancing sheet (PNG; need pypdfium2, of
+the extra `docx`), and the plots of the tutorials (PNG), each a curve of a solved design as the report draws it."""
 
 import asyncio
 import subprocess
@@ -55,6 +55,19 @@ def page(target: Path) -> None:
             cwd=ROOT,
         )
         pypdfium2.PdfDocument(report)[0].render(scale=1.2, grayscale=True).to_pil().save(target, optimize=True)
+
+
+def sheet(target: Path) -> None:
+    """The page for the balancing machine."""
+    import pypdfium2
+
+    from calc.design.toml_file import design, read
+    from calc.solve import solve
+    from reports.balancing_sheet import render
+
+    document = read(ROOT / "designs" / "r754ie4_balance_shafts.toml")
+    pdf = pypdfium2.PdfDocument(render(document, solve(design(document))))
+    pdf[0].render(scale=1.4, grayscale=True).to_pil().save(target, optimize=True)
 
 
 def plots() -> dict[str, bytes]:
@@ -167,6 +180,7 @@ if __name__ == "__main__":
     (HERE / "frame.png").write_bytes(frame())
     (HERE / "session.svg").write_text(asyncio.run(session()), encoding="utf-8")
     page(HERE / "report.png")
+    sheet(HERE / "balancing_sheet.png")
     for name, picture in plots().items():
         (HERE / f"{name}.png").write_bytes(picture)
     (HERE / "measured.png").write_bytes(measured())

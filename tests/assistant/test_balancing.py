@@ -34,8 +34,11 @@ async def test_the_table_is_added_by_a_key(screen: Screen) -> None:
 
 
 def test_the_empty_table_is_saved() -> None:
-    raw = (DESIGNS / "twin_drive.toml").read_bytes()
+    text = (DESIGNS / "r754ie4_balance_shafts.toml").read_text(encoding="utf-8")
+    before, _, rest = text.partition("[shafts.balancing]")
+    raw = f"{before}#{rest.partition('# assumed: the outline;')[2]}".encode()
     data = deepcopy(parse(raw, "").data)
+    assert KEY not in data["shafts"][0]
     data["shafts"][0][KEY] = {}
-    text = saved_text(raw, data)
-    assert "[shafts.balancing]" in text and parse(text.encode(), "").data == data
+    saved = saved_text(raw, data)
+    assert "[shafts.balancing]" in saved and parse(saved.encode(), "").data == data
