@@ -10,6 +10,9 @@ from pathlib import Path
 
 from assistant.exports.drawing import named, no_outline, views
 from assistant.exports.kinds import Made, Request
+from calc.countershaft.balancing.inputs import Balancing
+from calc.countershaft.balancing.solve import Made as Undrilled
+from calc.countershaft.balancing.solve import drills
 from calc.countershaft.outline import Outline
 from calc.countershaft.twins import Resolved
 from calc.exchange.frame import date_of, frame_of
@@ -17,10 +20,9 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import COMMA, Amount, Name, Text
 from calc.solve import Results
 from reports.step.kernel import MODULE, WrongKernel, step_file
-from reports.step.shaft import Hole, ShaftSolid, Weighed, drawn_pieces, mirrored, shaft_solid, turned_alike
+from reports.step.shaft import Hole, ShaftSolid, Weighed, mirrored, shaft_solid, turned_alike
 
 EXTRA = Text('a STEP file needs the extra "cad": pip install "contralbero[cad]" (380 MB)')
-DRILL_POINT = math.radians(118.0)  # of a usual twist drill
 DENSITY = Text("density is not in the file")
 
 
@@ -76,25 +78,21 @@ def _outline(view: Results) -> Outline:
 
 
 def _holes(asked: Request, view: Results) -> list[Hole]:
-    """The calibration holes where they are to be drilled: shared by the masses, in a row along each.  Raises BadInput
-    where there are none."""
+    """The holes of the balancing sheet at their greatest depth: as [shafts.balancing] places them, else the calibration
+    holes, in a row along each mass.  Raises BadInput where there are none."""
     if not asked.options.get("drilled"):
         return []
     shaft, solved = view.design.countershaft, view.shaft
     assert shaft is not None and solved is not None
-    if shaft.holes is None or not solved.masses:
-        reason = Text("needs holes to drill: add [shafts.holes] with diameter_mm, depth_mm and count")
+    made = Undrilled(solved.masses, solved.outline, shaft.outer_radius, 0.0, 0.0, None)
+    holes = drills(shaft, shaft.balancing or Balancing(), made)
+    if not holes:
+        reason = Text(
+            "needs holes to drill: add [shafts.holes] with diameter_mm, depth_mm and count, or "
+            "[[shafts.balancing.holes]]"
+        )
         raise BadInput("contralbero export", [InputError(0, "--drilled", "", reason)])
-    holes, (each, more) = [], divmod(shaft.holes.count, len(solved.masses))
-    for i, mass in enumerate(solved.masses):
-        for piece in drawn_pieces(_outline(view)):
-            if piece.start <= mass.z < piece.end:
-                n, size = each + (i < more), (shaft.holes.diameter, shaft.holes.depth, DRILL_POINT)
-                row = [mass.z + piece.length * ((2 * k - 1) / (2 * n) - 0.5) for k in range(1, n + 1)]
-                holes += [
-                    Hole(f"{mass.name}-{k}", z, mass.angle, piece.outer_radius, *size) for k, z in enumerate(row, 1)
-                ]
-    return holes
+    return [Hole(o.name, o.z, o.angle, o.R, o.diameter, o.depth, o.point) for o in holes]
 
 
 def _same_part(shaft: Resolved, turned: float) -> Text:

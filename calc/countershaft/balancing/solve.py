@@ -154,7 +154,7 @@ def drills(shaft: ShaftInputs, table: Balancing, made: Made) -> tuple[Drill, ...
     each, more = divmod(shaft.holes.count, len(made.masses))
     names, found = [mass.name for mass in made.masses], []
     for i, mass in enumerate(made.masses):
-        there = stretch(made.outline, mass.z)
+        there = _own_stretch(made, mass)
         n = each + (i < more)
         if there is None:
             return ()
@@ -222,6 +222,15 @@ def stretch(outline: Outline | None, z: Metre) -> tuple[Metre, Metre] | None:
             runs.append([piece])
     run = next((run for run in runs if run[0].start - TOUCH <= z <= run[-1].end + TOUCH), None)
     return None if run is None else (run[0].start, run[-1].end)
+
+
+def _own_stretch(made: Made, mass: EccentricMass) -> tuple[Metre, Metre] | None:
+    """The stretch of a mass: that of its sector; where several masses stand in one, the piece of its own."""
+    there, piece = stretch(made.outline, mass.z), _piece(made.outline, mass.z)
+    if there is None or piece is None:
+        return None
+    alone = sum(there[0] - TOUCH <= other.z <= there[1] + TOUCH for other in made.masses) == 1
+    return there if alone else (piece.start, piece.end)
 
 
 def _hole(drill: Drill, planes: tuple[BalancingPlane, BalancingPlane]) -> HoleTakes:

@@ -7,9 +7,12 @@ import pytest
 
 from calc.countershaft.balancing.checks import checks, least_room, segments_apart
 from calc.countershaft.balancing.inputs import Balancing
+from calc.countershaft.balancing.solve import Made, drills
+from calc.countershaft.inputs import Holes
 from calc.countershaft.outline import Outline, Piece
-from calc.design.toml_file import design, parse
+from calc.design.toml_file import design, load_design, parse
 from calc.sheet.errors import BadInput
+from calc.solve import solve
 from tests.calc.countershaft.balancing.sheets import hole, reading, shaft, sheet_of, tolerance
 from tests.conftest import DESIGNS
 
@@ -107,8 +110,6 @@ def test_segments_by_a_search():
 
 
 def test_the_calibration_holes_stand_in_a_row_along_each_mass():
-    from calc.countershaft.inputs import Holes
-
     inputs = shaft([(1.0, 20.0, 0.0, 0.0)], holes=Holes(diameter=0.014, depth=0.02, count=3))
     found = sheet_of(inputs, Balancing(), PER, outline=outlined(start=-60.0, end=60.0))
     assert [(d.name, pytest.approx(d.z)) for d in (each.drill for each in found.hole.values())] == [
@@ -116,6 +117,15 @@ def test_the_calibration_holes_stand_in_a_row_along_each_mass():
         ("front-2", 0.0),
         ("front-3", 0.04),
     ]
+
+
+def test_masses_whose_sectors_touch_have_a_row_each():
+    """Of the shipped twin: two sectors in one direction that meet at mid-shaft."""
+    solved = solve(load_design(DESIGNS / "twin_drive.toml")).shaft
+    inputs = shaft(holes=Holes(diameter=0.008, depth=0.012, count=4))
+    made = Made(solved.masses, solved.outline, None, 7860.0, 7860.0, PER)
+    z = [drill.z * 1e3 for drill in drills(inputs, Balancing(), made)]
+    assert z == pytest.approx([-41.25, -13.75, 13.75, 41.25])
 
 
 # --- bad input
