@@ -102,6 +102,17 @@ class Cut:
         X, Y = v * cos * slant / sin, v + r
         return math.hypot(X, Y), math.pi / self.teeth - (math.atan2(X, Y) - (X - u_c - wide * cos) / r)
 
+    def turn_of_fillet(self, phi: Array) -> Array:
+        """dθ/dφ of the fillet: how its angle from the middle of the tooth changes with the direction of the normal."""
+        _, v_c, wide, rho = self._corner
+        r, slant = self.pitch_radius, math.cos(self.system.beta)
+        sin, cos = np.sin(phi), np.cos(phi)
+        v = v_c + rho * sin
+        X, Y = v * cos * slant / sin, v + r
+        dX, dY = slant * (rho * cos**2 / sin - v / sin**2), rho * cos
+        turn: Array = (dX + wide * sin) / r - (Y * dX - X * dY) / (X**2 + Y**2)
+        return turn
+
     # --- the end of the fillet
 
     @cached_property

@@ -71,7 +71,16 @@ def regions(
 
 
 def _fillet(cut: Cut, end: float, chord_error: Metre) -> tuple[Array, Array]:
-    """Points as close as the curvature asks for: a chord of length s stands s²/8R off a curve of radius R."""
+    phi, chords = chords_of_fillet(cut, end, chord_error)
+    wanted = (
+        np.linspace(0.0, chords[-1], math.ceil(SAFETY * float(chords[-1])) + 1) if chords[-1] > 1 else chords[[0, -1]]
+    )
+    return cut.fillet(np.interp(wanted, chords, phi))
+
+
+def chords_of_fillet(cut: Cut, end: float, chord_error: Metre = CHORD_ERROR) -> tuple[Array, Array]:
+    """Directions of the normal from root to form circle, and how many chords its curvature asks for up to each of them:
+    one of length s stands s²/8R off a curve of radius R."""
     phi = np.linspace(ROOT, end, FINE)
     radius, angle = cut.fillet(phi)
     step = np.diff(radius * np.exp(1j * angle))
@@ -79,11 +88,7 @@ def _fillet(cut: Cut, end: float, chord_error: Metre) -> tuple[Array, Array]:
     turned = np.abs(np.angle(step[1:] * step[:-1].conj()))
     curvature = 2 * turned / (length[1:] + length[:-1])
     density = np.sqrt(np.concatenate([curvature[:1], curvature, curvature[-1:]]) / (8 * chord_error))
-    chords = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * length)])
-    wanted = (
-        np.linspace(0.0, chords[-1], math.ceil(SAFETY * float(chords[-1])) + 1) if chords[-1] > 1 else chords[[0, -1]]
-    )
-    return cut.fillet(np.interp(wanted, chords, phi))
+    return phi, np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * length)])
 
 
 def _involute(cut: Cut, start: Number, end: Number, chord_error: Metre) -> tuple[Array, Array]:
