@@ -31,7 +31,8 @@ NAMES = {
     "BRep": ("BRep_Builder",),
     "BRepAlgoAPI": ("BRepAlgoAPI_Cut", "BRepAlgoAPI_Fuse"),
     "BRepBuilderAPI": (
-        "BRepBuilderAPI_MakeEdge", "BRepBuilderAPI_MakeFace", "BRepBuilderAPI_MakeWire", "BRepBuilderAPI_Transform",
+        "BRepBuilderAPI_MakeEdge", "BRepBuilderAPI_MakeFace", "BRepBuilderAPI_MakeWire", "BRepBuilderAPI_NurbsConvert",
+        "BRepBuilderAPI_Transform",
     ),
     "BRepCheck": ("BRepCheck_Analyzer",),
     "BRepGProp": ("BRepGProp",),
@@ -51,7 +52,7 @@ NAMES = {
     "TopAbs": ("TopAbs_SOLID",),
     "TopExp": ("TopExp_Explorer",),
     "TopLoc": ("TopLoc_Location",),
-    "TopoDS": ("TopoDS_Compound",),
+    "TopoDS": ("TopoDS", "TopoDS_Compound", "TopoDS_Wire"),
     "XCAFApp": ("XCAFApp_Application",),
     "XCAFDoc": ("XCAFDoc_DocumentTool",),
     "collections": ("HArray1_TCollection_HAsciiString", "HArray1_gp_Pnt"),
@@ -127,7 +128,7 @@ def spline(points: Sequence[Point]) -> Edge:
 
 
 def wire(edges: Sequence[Edge]) -> Shape:
-    """Edges that follow one another, joined."""
+    """Edges, or wires, that follow one another, joined."""
     k = kernel()
     joined = k.BRepBuilderAPI_MakeWire()
     for edge in edges:
@@ -142,7 +143,12 @@ def polygon(points: Sequence[Point]) -> list[Edge]:
 
 def face(edges: Sequence[Edge]) -> Shape:
     """What a closed outline in a plane encloses."""
-    return kernel().BRepBuilderAPI_MakeFace(wire(edges), True).Face()
+    return face_of(wire(edges))
+
+
+def face_of(outline: Shape) -> Shape:
+    """The same of one that is joined already."""
+    return kernel().BRepBuilderAPI_MakeFace(outline, True).Face()
 
 
 def prism(section: Shape, length: float) -> Shape:
@@ -212,7 +218,8 @@ def solids(shape: Shape) -> list[Shape]:
 def moved(shape: Shape, by: Point = (0.0, 0.0, 0.0), turned: float = 0.0) -> Shape:
     """A shape turned about the Z axis (radians), then moved; its geometry is made anew."""
     k = kernel()
-    return k.BRepBuilderAPI_Transform(shape, _motion(by, turned), True).Shape()
+    made = k.BRepBuilderAPI_Transform(shape, _motion(by, turned), True).Shape()
+    return k.TopoDS.Wire(made) if isinstance(shape, k.TopoDS_Wire) else made
 
 
 def along(shape: Shape, start: Point, axis: Point) -> Shape:
@@ -264,6 +271,12 @@ def properties(shape: Shape, splines: bool = False, close: float = CLOSE) -> Sol
     centre, matrix = found.CentreOfMass(), found.MatrixOfInertia()
     tensor = np.array([[matrix.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)])
     return SolidProperties(found.Mass(), np.array([centre.X(), centre.Y(), centre.Z()]), tensor)
+
+
+def in_splines(shape: Shape) -> Shape:
+    """The same shape with its surfaces as splines, for `properties` to integrate: on a surface that is a spline drawn
+    along a line the adaptive integration is wrong by 1e-4 however close it is asked to be, on this one it is not."""
+    return kernel().BRepBuilderAPI_NurbsConvert(shape).Shape()
 
 
 def demand_valid(shape: Shape, name: str, bodies: int | None = None) -> None:

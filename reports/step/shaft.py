@@ -91,7 +91,7 @@ def shaft_solid(
     bodies = _bodies(name, pieces, shape.heavier != 1)
     densities = {name: rho, _sectors(name): rho * shape.heavier}
     if shape.bore:
-        bore = _cylinder(shape.bore * MM, pieces[0].start * MM - ROUND, pieces[-1].end * MM + ROUND)
+        bore = cylinder(shape.bore * MM, pieces[0].start * MM - ROUND, pieces[-1].end * MM + ROUND)
         bodies = tuple((body, cut(solid, bore)) for body, solid in bodies)
     for body, solid in bodies:
         demand_valid(solid, body)
@@ -211,33 +211,34 @@ def _section(piece: Piece) -> list[Shape]:
     """Core and sector: the arc of the sector, a flank, the arc of the core the long way round, the other flank."""
     half, out, core = piece.half_angle or math.pi, piece.outer_radius * MM, piece.core_radius * MM
     low, high, z = piece.angle - half, piece.angle + half, piece.start * MM
-    tip = arc(_at(out, low, z), _at(out, piece.angle, z), _at(out, high, z))
+    tip = arc(at(out, low, z), at(out, piece.angle, z), at(out, high, z))
     if core <= SAME * MM:
         if abs(half - math.pi / 2) < SAME:
-            return [tip, line(_at(out, high, z), _at(out, low, z))]
+            return [tip, line(at(out, high, z), at(out, low, z))]
         axis = (0.0, 0.0, z)
-        return [tip, line(_at(out, high, z), axis), line(axis, _at(out, low, z))]
-    back = arc(_at(core, high, z), _at(core, piece.angle + math.pi, z), _at(core, low, z))
-    return [tip, line(_at(out, high, z), _at(core, high, z)), back, line(_at(core, low, z), _at(out, low, z))]
+        return [tip, line(at(out, high, z), axis), line(axis, at(out, low, z))]
+    back = arc(at(core, high, z), at(core, piece.angle + math.pi, z), at(core, low, z))
+    return [tip, line(at(out, high, z), at(core, high, z)), back, line(at(core, low, z), at(out, low, z))]
 
 
 def _ring(piece: Piece) -> Shape:
     """The sector without its core."""
     half, out, core = piece.half_angle or math.pi, piece.outer_radius * MM, piece.core_radius * MM
     if half >= HALF_TURN:
-        outer = _cylinder(out, piece.start * MM, piece.end * MM)
-        inner = _cylinder(core, piece.start * MM - ROUND, piece.end * MM + ROUND) if core > SAME * MM else None
+        outer = cylinder(out, piece.start * MM, piece.end * MM)
+        inner = cylinder(core, piece.start * MM - ROUND, piece.end * MM + ROUND) if core > SAME * MM else None
         return outer if inner is None else cut(outer, inner)
     low, high, z = piece.angle - half, piece.angle + half, piece.start * MM
     if core <= SAME * MM:
         return prism(face(_section(piece)), piece.length * MM)
-    tip = arc(_at(out, low, z), _at(out, piece.angle, z), _at(out, high, z))
-    back = arc(_at(core, high, z), _at(core, piece.angle, z), _at(core, low, z))
-    flanks = line(_at(out, high, z), _at(core, high, z)), line(_at(core, low, z), _at(out, low, z))
+    tip = arc(at(out, low, z), at(out, piece.angle, z), at(out, high, z))
+    back = arc(at(core, high, z), at(core, piece.angle, z), at(core, low, z))
+    flanks = line(at(out, high, z), at(core, high, z)), line(at(core, low, z), at(out, low, z))
     return prism(face([tip, flanks[0], back, flanks[1]]), piece.length * MM)
 
 
-def _cylinder(radius: float, start: float, end: float) -> Shape:
+def cylinder(radius: float, start: float, end: float) -> Shape:
+    """About the Z axis, all in mm."""
     return revolved(face(polygon([(0.0, 0.0, start), (radius, 0.0, start), (radius, 0.0, end), (0.0, 0.0, end)])))
 
 
@@ -249,10 +250,11 @@ def _drill(hole: Hole, frame: Frame) -> Shape:
     tip = [(0.0, bottom - cone), (a, bottom)] if cone else [(0.0, bottom), (a, bottom)]
     profile = [*tip, (a, R + ROUND), (0.0, R + ROUND)]
     tool = revolved(face(polygon([(r, 0.0, z) for r, z in profile])))
-    return along(tool, (0.0, 0.0, hole.z * MM), _at(1.0, frame.angle(hole.angle), 0.0))
+    return along(tool, (0.0, 0.0, hole.z * MM), at(1.0, frame.angle(hole.angle), 0.0))
 
 
-def _at(radius: float, angle: float, z: float) -> Point:
+def at(radius: float, angle: float, z: float) -> Point:
+    """A point by its radius and angle."""
     return radius * math.cos(angle), radius * math.sin(angle), z
 
 
