@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from calc.exchange.frame import Frame
+from calc.exchange.places import HANDS, helix
 from calc.gears.inputs import GearsInputs
 from calc.gears.profile.outline import Outline, shifts
 from calc.gears.profile.section import ToothCurves, section
@@ -73,11 +74,11 @@ def wheel_solid(
     with recorded(False):
         inside = max(inner_diameter(wheel.root_diameter, given.bore_diameter, given.rim_thickness), through) / 2
         curves = None if blank else section(train.system, wheel, shifts(train.system, wheel)[end])
-    b, hand = wheel.face_width * MM, {"right": 1, "left": -1}.get(gears.hands().get(name, ""), 0)
+    b, hand = wheel.face_width * MM, HANDS[gears.hands().get(name, "")]
     if curves is None:
         body = cylinder(wheel.reference_diameter / 2 * MM, -b / 2, b / 2)
     else:
-        body = toothed(curves, b, hand * helix(train, wheel) / MM)
+        body = toothed(curves, b, hand * helix(train, name) / MM)
     if inside:
         body = cut(body, cylinder(inside * MM, -b / 2 - ROUND, b / 2 + ROUND))
     turned = frame.angle(first_tooth(train, name))
@@ -97,11 +98,6 @@ def first_tooth(train: TrainResult, name: str) -> Radian:
     """Where tooth 1 of a wheel stands with cylinder 1 at TDC, from up in the sense of crank rotation; 0: not known."""
     laid = train.layout.wheels.get(name) if train.layout is not None else None
     return laid.tooth_angle or 0.0 if laid is not None else 0.0
-
-
-def helix(train: TrainResult, wheel: WheelResult) -> float:
-    """By how much a tooth turns along the axis, in radians a metre."""
-    return 2 * math.tan(train.system.beta) / wheel.reference_diameter
 
 
 def weighed_by_section(
