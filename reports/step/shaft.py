@@ -70,9 +70,10 @@ class Weighed:
 
 
 @dataclass(frozen=True)
-class ShaftSolid:
-    """A shaft as a part: of each of its solids what it weighs, all of them, and before anything was drilled; the same
-    by the program, and how far they are apart of it (mass, centre over the shaft's length, tensor over its largest)."""
+class WeighedPart:
+    """A shaft or a wheel as a part: of each of its solids what it weighs, all of them, and before anything was drilled;
+    the same by the program, and how far they are apart of it (mass, centre over the shaft's length, tensor over its
+    largest)."""
 
     part: StepPart
     solids: tuple[Weighed, ...]
@@ -85,7 +86,7 @@ class ShaftSolid:
 
 def shaft_solid(
     name: str, shape: Outline, rho: KilogramPerMetre3, frame: Frame, holes: Sequence[Hole] = ()
-) -> ShaftSolid:
+) -> WeighedPart:
     """`rho`: density of the core.  Raises KernelFault where the solid is not valid, or not what the program weighs."""
     pieces = tuple(_turned(piece, frame) for piece in drawn_pieces(shape))
     bodies = _bodies(name, pieces, shape.heavier != 1)
@@ -95,9 +96,9 @@ def shaft_solid(
         bodies = tuple((body, cut(solid, bore)) for body, solid in bodies)
     for body, solid in bodies:
         demand_valid(solid, body)
-    undrilled = _together(name, [_weighed(body, solid, densities[body]) for body, solid in bodies])
+    undrilled = together(name, [_weighed(body, solid, densities[body]) for body, solid in bodies])
     by_program = _by_program(name, replace_pieces(shape, pieces), rho)
-    deviation = _apart(undrilled, by_program, (pieces[-1].end - pieces[0].start) * MM)
+    deviation = apart(undrilled, by_program, (pieces[-1].end - pieces[0].start) * MM)
     if not deviation <= CLOSE:
         raise KernelFault(f"the solid of {name} is off the program's mass properties by {deviation:.1e}")
     if holes:
@@ -106,8 +107,8 @@ def shaft_solid(
         for body, solid in bodies:
             demand_valid(solid, body)
     weights = [_weighed(body, solid, densities[body], bool(holes)) for body, solid in bodies]
-    return ShaftSolid(
-        StepPart(name, bodies), tuple(weights), _together(name, weights), undrilled, by_program, deviation, tuple(holes)
+    return WeighedPart(
+        StepPart(name, bodies), tuple(weights), together(name, weights), undrilled, by_program, deviation, tuple(holes)
     )
 
 
@@ -266,7 +267,7 @@ def _weighed(name: str, solid: Shape, density: KilogramPerMetre3, drilled: bool 
     return Weighed(name, found.volume, found.volume * kg, found.centre, found.tensor * kg)
 
 
-def _together(name: str, solids: Sequence[Weighed]) -> Weighed:
+def together(name: str, solids: Sequence[Weighed]) -> Weighed:
     """All of them, about their common centre (Steiner)."""
     mass = sum(one.mass for one in solids)
     centre = sum((one.mass * one.centre for one in solids), np.zeros(3)) / mass
@@ -288,7 +289,7 @@ def _by_program(name: str, shape: Outline, rho: KilogramPerMetre3) -> Weighed:
     return Weighed(name, float(np.sum(shape.area * l)) * 1e9, solid.mass, centre, tensor)
 
 
-def _apart(solid: Weighed, program: Weighed, length: float) -> float:
+def apart(solid: Weighed, program: Weighed, length: float) -> float:
     return max(
         abs(solid.mass / program.mass - 1),
         float(np.max(np.abs(solid.centre - program.centre))) / length,

@@ -6,7 +6,6 @@ A spur wheel is its transverse section drawn along the axis; a helical one is sm
 each turned by what the helix asks for there.  What the solid weighs is held against the section's own area."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -22,8 +21,9 @@ from calc.sheet.value import recorded
 from reports.step.kernel import (
     Edge,
     KernelFault,
-    Part,
     Shape,
+    SolidProperties,
+    StepPart,
     arc,
     cut,
     demand_valid,
@@ -36,22 +36,11 @@ from reports.step.kernel import (
     spline,
     wire,
 )
-from reports.step.shaft import MM, ROUND, Weighed, at, cylinder
+from reports.step.shaft import MM, ROUND, Weighed, WeighedPart, at, cylinder
 
 SECTIONS = 7  # of a helical wheel, over its face
 TURN: Radian = math.radians(10)  # rule of this program: nor is one turned further than this from the one before it
 CLOSE = 2e-6  # of the solid to the section's area times the face
-
-
-@dataclass(frozen=True)
-class WheelSolid:
-    """A wheel as a part, what it weighs and what it does by the program, in mm and kg; how far they are apart, as a
-    share of the mass and of the largest moment of inertia."""
-
-    part: Part
-    whole: Weighed
-    by_program: Weighed
-    deviation: float
 
 
 def wheel_solid(
@@ -61,43 +50,48 @@ def wheel_solid(
     rho: KilogramPerMetre3,
     frame: Frame,
     *,
+    tooth: Radian = 0.0,
     end: str = "",
     blank: bool = False,
-    through: Metre = 0.0,
-) -> WheelSolid:
-    """`rho`: its density; `end`: of its allowance, "max", "min", or "" for teeth without one; `blank`: a cylinder of
-    the reference diameter in place of its teeth; `through`: diameter of a shaft that runs through it.  It is open
-    inside its bore, or its rim where that is given: what carries the rim is not known.  Raises KeyError for an end that
-    the wheel does not have, KernelFault where the solid is not valid or off its section."""
+    inside: Metre | None = None,
+) -> WeighedPart:
+    """`rho`: its density; `tooth`: where the middle of its first stands, from up in the sense of crank rotation; `end`:
+    of its allowance, "max", "min", or "" for teeth without one; `blank`: a cylinder of the reference diameter in place
+    of its teeth; `inside`: the radius inside which it is open, else that of its bore, or of its rim where that is
+    given, since what carries a rim is not known.  Raises KeyError for an end that the wheel does not have, KernelFault
+    where the solid is not valid or off its section."""
     wheel = train.wheels[name]
-    given = next(one for one in gears.wheels if one.name == name)
     with recorded(False):
-        inside = max(inner_diameter(wheel.root_diameter, given.bore_diameter, given.rim_thickness), through) / 2
+        open_to = opening(wheel, gears) if inside is None else inside
         curves = None if blank else section(train.system, wheel, shifts(train.system, wheel)[end])
     b, hand = wheel.face_width * MM, HANDS[gears.hands().get(name, "")]
     if curves is None:
         body = cylinder(wheel.reference_diameter / 2 * MM, -b / 2, b / 2)
     else:
         body = toothed(curves, b, hand * helix(train, name) / MM)
-    if inside:
-        body = cut(body, cylinder(inside * MM, -b / 2 - ROUND, b / 2 + ROUND))
-    turned = frame.angle(first_tooth(train, name))
-    body = moved(body, turned=turned) if turned else body
+    if open_to:
+        body = cut(body, cylinder(open_to * MM, -b / 2 - ROUND, b / 2 + ROUND))
+    body = moved(body, turned=frame.angle(tooth)) if tooth else body
     demand_valid(body, name, 1)
-    found, kg = properties(body) if blank else properties(in_splines(body), splines=True), rho * 1e-9
+    found, kg = properties(body) if blank else with_teeth(body, not hand), rho * 1e-9
     whole = Weighed(name, found.volume, found.volume * kg, found.centre, found.tensor * kg)
-    by_program = weighed_by_section(name, wheel, curves, inside, rho)
+    by_program = weighed_by_section(name, wheel, curves, open_to, rho)
     off = abs(whole.mass / by_program.mass - 1)
     deviation = max(off, float(np.abs(whole.tensor - by_program.tensor).max() / by_program.tensor.max()))
     if not off <= CLOSE:
         raise KernelFault(f"the solid of wheel {name} is off its section by {off:.1e}")
-    return WheelSolid(Part(name, ((name, body),)), whole, by_program, deviation)
+    return WeighedPart(StepPart(name, ((name, body),)), (whole,), whole, whole, by_program, deviation)
 
 
-def first_tooth(train: TrainResult, name: str) -> Radian:
-    """Where tooth 1 of a wheel stands with cylinder 1 at TDC, from up in the sense of crank rotation; 0: not known."""
-    laid = train.layout.wheels.get(name) if train.layout is not None else None
-    return laid.tooth_angle or 0.0 if laid is not None else 0.0
+def with_teeth(body: Shape, straight: bool) -> SolidProperties:
+    """Of a solid with teeth: the flanks of straight ones are splines that are drawn along Z."""
+    return properties(in_splines(body) if straight else body, splines=True)
+
+
+def opening(wheel: WheelResult, gears: GearsInputs) -> Metre:
+    """The radius inside which a wheel is open: of its bore, or its rim."""
+    given = next(one for one in gears.wheels if one.name == wheel.name)
+    return inner_diameter(wheel.root_diameter, given.bore_diameter, given.rim_thickness) / 2
 
 
 def weighed_by_section(
