@@ -324,8 +324,16 @@ def export(it: argparse.ArgumentParser) -> None:
         help="how far a tooth's straight pieces may stand off (default: 1 µm)",
     )
     solid = it.add_argument_group("of solids (--step)")
-    solid.add_argument("--shaft", metavar="NAME", help="this shaft alone")
+    part = solid.add_mutually_exclusive_group()
+    part.add_argument("--shaft", metavar="NAME", help="this shaft alone")
+    part.add_argument("--wheel", metavar="NAME", help="this wheel, with its teeth, in place of the shafts")
+    part.add_argument("--module", action="store_true", help="all shafts and wheels where they stand, as an assembly")
     solid.add_argument("--drilled", action="store_true", help="with its holes at their greatest depth")
+    solid.add_argument("--teeth", action="store_true", help="teeth in place of the blank of a shaft's own wheel")
+    solid.add_argument("--blank", action="store_true", help="wheels as cylinders of the reference diameter")
+    solid.add_argument(
+        "--allowance", choices=("none", "max", "min"), help="teeth at this end of their allowance (default: none)"
+    )
     instead = it.add_argument_group("instead of the values (--csv)").add_mutually_exclusive_group()
     instead.add_argument("--transfer", action="store_true", help="the transfer functions of the mounts")
     instead.add_argument("--map", action="store_true", help="the strikes of the gears over speed and load")

@@ -122,7 +122,8 @@ KINDS: dict[str, FileKind] = {
             "step",
             ("step", "stp"),
             Text("the shafts as solids for CAD"),
-            options=("shaft", "drilled"),
+            options=("shaft", "wheel", "module", "teeth", "blank", "allowance", "drilled"),
+            rows={"module": Text("all shafts and wheels where they stand, as an assembly for CAD")},
         ),
         FileKind("rexs", "rexs", ("rexs",), Text("the train for gear programs, REXS 1.7")),
         FileKind(

@@ -1,26 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shafts as solids for CAD, by the extra `cad`: of several one file each, as drawings; a twin has one of its own where
-it is another part than its original."""
+"""Shafts and wheels as solids for CAD, by the extra `cad`: shafts one file each, as drawings, a twin where it is
+another part than its original; one wheel; or all of them where they stand."""
 
-import math
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
 
 from assistant.exports.drawing import named, no_outline, views
 from assistant.exports.kinds import Made, Request
-from calc.countershaft.balancing.inputs import Balancing
-from calc.countershaft.balancing.solve import Made as Undrilled
-from calc.countershaft.balancing.solve import drills
+from assistant.exports.solids import NO_ALLOWANCE, Solids
+from assistant.exports.weights import changed, table
 from calc.countershaft.outline import Outline
 from calc.countershaft.twins import Resolved
-from calc.exchange.frame import date_of, frame_of
+from calc.design.model import Design
+from calc.exchange.frame import date_of
+from calc.exchange.places import shaft_axes
+from calc.gears.inputs import GearsInputs
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.quantity import dotted
 from calc.sheet.text import COMMA, Amount, Name, Text
-from calc.solve import Results
 from reports.step.kernel import MODULE, WrongKernel, step_file
-from reports.step.shaft import Hole, ShaftSolid, Weighed, mirrored, shaft_solid, turned_alike
+from reports.step.module import module_parts
 
 EXTRA = Text('a STEP file needs the extra "cad": pip install "contralbero[cad]" (380 MB)')
 DENSITY = Text("density is not in the file")
@@ -29,132 +29,171 @@ DENSITY = Text("density is not in the file")
 def lacks(asked: Request) -> InputError | None:
     if find_spec(MODULE) is None:
         return InputError(0, "", "", EXTRA)
-    return next((wrong for name, view in views(asked.results) if (wrong := no_outline(asked, view, name))), None)
+    design, options = asked.results.design, asked.options
+    if options.get("wheel") or (options.get("module") and design.countershaft is None) or options.get("teeth"):
+        if design.gears is None:
+            return InputError(0, "gears", "", Text("needed for wheels: add [gears]"))
+        if asked.results.train is None:
+            reason = asked.results.outcomes["gears"].reason
+            return InputError(0, "gears", "", Text("there are no wheels: {reason}", reason=reason))
+    if options.get("wheel") or (options.get("module") and design.countershaft is None):
+        return next(iter(_nowhere(asked)), None) if options.get("module") else None
+    if design.countershaft is None and design.gears is not None:
+        names = ", ".join(wheel.name for wheel in design.gears.wheels)
+        reason = Text("there is no shaft; --wheel NAME writes a wheel: {wheels}", wheels=names)
+        return InputError(0, "--step", "", reason)
+    wrong = (lacking for name, view in views(asked.results) if (lacking := no_outline(asked, view, name)))
+    return next(wrong, next(iter(_nowhere(asked)), None) if options.get("module") else None)
 
 
 def made(asked: Request) -> Made:
-    files: dict[Path, str | bytes] = {}
-    said: list[Text] = []
-    shafts = _asked_for(asked)
+    if wrong := list(_wrong(asked)):
+        raise BadInput("contralbero export", wrong)
+    kind = _wheel if asked.options.get("wheel") else _module if asked.options.get("module") else _shafts
     try:
-        for shaft in shafts:
-            view = asked.results.view(shaft.name)
-            shape, holes = _outline(view), _holes(asked, view)
-            if shaft.how != "own":
-                same = 0.0 if shaft.how == "repeats" else turned_alike(shape, holes)
-                if same is not None and len(shafts) > 1:
-                    said.append(_same_part(shaft, same))
-                    continue
-            if shaft.how == "mirrors":
-                shape, holes = mirrored(shape), [replace(hole, angle=-hole.angle) for hole in holes]
-            path = named(asked.path, shaft.name) if len(shafts) > 1 else asked.path
-            rho = view.design.materials[shaft.inputs.material].density
-            solid = shaft_solid(shaft.name, shape, rho, frame_of(asked.results.design), holes)
-            files[path] = step_file([solid.part], path.name, date_of(asked.results.design), _words(asked, holes))
-            said += [*_table(solid), *_left_out(shaft, shape)]
-    except WrongKernel as wrong:
-        raise BadInput("contralbero export", [InputError(0, "--step", "", wrong.reason)]) from None
+        files, said = kind(asked, Solids(asked))
+    except WrongKernel as wrong_kernel:
+        raise BadInput("contralbero export", [InputError(0, "--step", "", wrong_kernel.reason)]) from None
     return Made(files, (*said, Text("The {density}.", density=DENSITY)))
 
 
-# --- which shafts
+Written = tuple[dict[Path, str | bytes], list[Text]]
 
 
-def _asked_for(asked: Request) -> Sequence[Resolved]:
-    """The shaft that is named, else all.  Raises BadInput where there is none of that name."""
-    shafts, name = asked.results.design.resolved, asked.options.get("shaft")
-    if name is None:
-        return shafts
-    chosen = [shaft for shaft in shafts if shaft.name == name]
-    if not chosen:
-        reason = Text("is no shaft; the shafts are {names}", names=", ".join(shaft.name for shaft in shafts))
-        raise BadInput("contralbero export", [InputError(0, "--shaft", str(name), reason)])
-    return chosen
-
-
-def _outline(view: Results) -> Outline:
-    assert view.shaft is not None and view.shaft.outline is not None  # as `lacks` has seen
-    return view.shaft.outline
-
-
-def _holes(asked: Request, view: Results) -> list[Hole]:
-    """The holes of the balancing sheet at their greatest depth: as [shafts.balancing] places them, else the calibration
-    holes, in a row along each mass.  Raises BadInput where there are none."""
-    if not asked.options.get("drilled"):
-        return []
-    shaft, solved = view.design.countershaft, view.shaft
-    assert shaft is not None and solved is not None
-    made = Undrilled(solved.masses, solved.outline, shaft.outer_radius, 0.0, 0.0, None)
-    holes = drills(shaft, shaft.balancing or Balancing(), made)
-    if not holes:
-        reason = Text(
-            "needs holes to drill: add [shafts.holes] with diameter_mm, depth_mm and count, or "
-            "[[shafts.balancing.holes]]"
+def _shafts(asked: Request, solids: Solids) -> Written:
+    files: dict[Path, str | bytes] = {}
+    said: list[Text] = []
+    name = asked.options.get("shaft")
+    shafts = [shaft for shaft in solids.design.resolved if name in (None, shaft.name)]
+    for shaft in shafts:
+        if len(shafts) > 1 and (same := solids.same_part(shaft)) is not None:
+            said.append(same)
+            continue
+        solid = solids.shaft(shaft)
+        path = named(asked.path, shaft.name) if len(shafts) > 1 else asked.path
+        words = "of a single part: origin on its own axis at mid-shaft, turned as at TDC of cylinder 1"
+        drilled = "drilled to the greatest depth" if solid.holes else "undrilled"
+        files[path] = step_file(
+            [solid.part], path.name, date_of(solids.design), _words(solids, drilled, words, *_teeth(solids))
         )
-        raise BadInput("contralbero export", [InputError(0, "--drilled", "", reason)])
-    return [Hole(o.name, o.z, o.angle, o.R, o.diameter, o.depth, o.point) for o in holes]
+        said += [*table(solid), *_left_out(shaft, solids.drawn(shaft)[0])]
+        if solids.teeth:
+            said += changed(solid, solids.with_blank(shaft))
+    return files, said
 
 
-def _same_part(shaft: Resolved, turned: float) -> Text:
-    turned = round(math.degrees(turned), 9)
-    if not turned:
-        return Text("{name} is the same part as {original}.", name=Name(shaft.name), original=Name(shaft.of or ""))
-    return Text(
-        "{name} is the same part as {original}, turned by {angle}.",
-        name=Name(shaft.name),
-        original=Name(shaft.of or ""),
-        angle=Amount(turned, "°"),
+def _wheel(asked: Request, solids: Solids) -> Written:
+    name = str(asked.options["wheel"])
+    solid = solids.wheel(name)
+    words = (
+        "of a single part: origin on its own axis in the middle of its face, turned as at TDC of cylinder 1 where the "
+        "layout has its teeth"
     )
+    kind = ["a blank of the reference diameter"] if solids.blank else _teeth(solids)
+    content = step_file([solid.part], asked.path.name, date_of(solids.design), _words(solids, *kind, words))
+    said = [*table(solid)]
+    if not solids.blank:
+        said += changed(solid, Solids(asked, blank=True).wheel(name))
+    return {asked.path: content}, said
 
 
-# --- what is said of it
+def _module(asked: Request, solids: Solids) -> Written:
+    """Every shaft, and every wheel that no shaft has in its own part."""
+    axes, places, said = shaft_axes(solids.results), solids.places, list[Text]()
+    shafts, wheels, on = [], [], {}
+    for shaft in solids.design.resolved:
+        solid = solids.shaft(shaft)
+        shafts.append((solid, axes[shaft.name]))
+        said += [*table(solid), *_left_out(shaft, solids.drawn(shaft)[0])]
+        if (wheel := solids.wheel_on(shaft)) is not None:
+            on[wheel] = shaft
+            if solids.teeth:
+                said += changed(solid, solids.with_blank(shaft))
+    train = solids.train.wheels if solids.train is not None else {}
+    for name in train:
+        if name in places and not (name in on and solids.has_wheel(on[name])):
+            solid = solids.beside(name, solids.drawn(on[name])[0]) if name in on else solids.wheel(name)
+            wheels.append((solid, places[name]))
+            said += table(solid)
+    if left := [name for name in train if name not in places]:
+        names = COMMA.join(Name(name) for name in left)
+        said.append(Text("Left out, since where they stand is not known: {names}; give position_mm.", names=names))
+    parts = module_parts(shafts, wheels, solids.frame)
+    kind = ["wheels as blanks of the reference diameter"] if solids.blank else _teeth(solids)
+    words = _words(solids, *kind, "each part where it stands, with cylinder 1 at TDC")
+    content = step_file(parts, asked.path.name, date_of(solids.design), words, solids.design.name)
+    return {asked.path: content}, said
 
 
-def _words(asked: Request, holes: Sequence[Hole]) -> list[str]:
+# --- what is wrong
+
+
+def _wrong(asked: Request) -> Iterator[InputError]:
+    """What the options ask for and is not to be had, all at once."""
+    solids, options = Solids(asked), asked.options
+    shaft, wheel, module = (options.get(key) for key in ("shaft", "wheel", "module"))
+    wheels = list(solids.train.wheels) if solids.train is not None else []
+    shafts = [one.name for one in solids.design.resolved]
+    together = [f"--{key}" for key, given in (("shaft", shaft), ("wheel", wheel), ("module", module)) if given]
+    if len(together) > 1:
+        reason = Text("asks for another part than {other}: give one of them", other=together[1])
+        yield InputError(0, together[0], "", reason)
+    if shaft is not None and shaft not in shafts:
+        reason = Text("is no shaft; the shafts are {names}", names=", ".join(shafts))
+        yield InputError(0, "--shaft", str(shaft), reason)
+    if wheel is not None and wheel not in wheels:
+        reason = Text("is no wheel; the wheels are {wheels}", wheels=", ".join(wheels))
+        yield InputError(0, "--wheel", str(wheel), reason)
+    if solids.teeth and (wheel or solids.blank):
+        other = "--wheel" if wheel else "--blank"
+        yield InputError(
+            0, "--teeth", "", Text("puts teeth on the shaft's own wheel: give it without {key}", key=other)
+        )
+    if solids.blank and not (wheel or module):
+        yield InputError(0, "--blank", "", Text("is for wheels: give --wheel NAME or --module with it"))
+    if solids.end:
+        if solids.blank or not (wheel or module or solids.teeth):
+            yield InputError(0, "--allowance", solids.end, Text("is for teeth: give --wheel NAME, --module or --teeth"))
+        carried = [solids.wheel_on(one) for one in solids.design.resolved if shaft in (None, one.name)]
+        asked_for = [wheel] if wheel else wheels if module else carried
+        yield from solids.lacks_end([name for name in asked_for if name in wheels])
+    if solids.teeth and not module:
+        for one in solids.design.resolved:
+            if shaft in (None, one.name) and solids.wheel_on(one) is None:
+                yield InputError(0, "--teeth", "", Text("no wheel of the train sits on {shaft}", shaft=Name(one.name)))
+
+
+def _nowhere(asked: Request) -> Iterator[InputError]:
+    """Of which shafts the axis is not known; of a train alone, whether of all wheels."""
+    design, axes = asked.results.design, shaft_axes(asked.results)
+    for shaft in design.resolved:
+        if shaft.name not in axes:
+            reason = Text("where {shaft} stands is not known: give axis_mm", shaft=Name(shaft.name))
+            key = dotted(Design.shafts, shaft.name) if len(design.resolved) > 1 else "countershaft"
+            yield InputError(0, key, "", reason)
+    if not design.resolved and not Solids(asked).places:
+        reason = Text("where the wheels stand is not known: give position_mm")
+        yield InputError(0, dotted("gears", GearsInputs.wheels), "", reason)
+
+
+# --- what is said
+
+
+def _words(solids: Solids, *words: str) -> list[str]:
     """What the header says."""
-    design = asked.results.design
     return [
-        design.name,
-        "drilled to the greatest depth" if holes else "undrilled",
-        str(frame_of(design).words),
-        "of a single part: origin on its own axis at mid-shaft, turned as at TDC of cylinder 1",
+        solids.design.name,
+        *words,
+        str(solids.frame.words),
         "products of inertia beside it are -integral XY dm, about the centre of gravity",
         str(DENSITY),
     ]
 
 
-COLUMNS = ("cm³", "kg", "X mm", "Y mm", "Z mm", "J_XX kg·mm²", "J_YY", "J_ZZ", "J_XY", "J_YZ", "J_ZX")
-
-
-def _table(solid: ShaftSolid) -> Iterator[Text]:
-    """A line for each solid, the whole, and the same by the program; then how far they are apart."""
-    lines = [(one.name, _numbers(one)) for one in solid.solids]
-    if len(lines) > 1:
-        lines.append((str(Text("together")), _numbers(solid.whole)))
-    if solid.holes:
-        lines.append((str(Text("undrilled")), _numbers(solid.undrilled)))
-    lines.append((str(Text("by the program")), _numbers(solid.by_program)))
-    cells = [("", *COLUMNS), *((name, *(f"{x:.6g}" for x in row)) for name, row in lines)]
-    widths = [max(map(len, column)) for column in zip(*cells)]
-    for name, *numbers in cells:
-        row = (number.rjust(width) for number, width in zip(numbers, widths[1:]))
-        yield Name("  ".join((name.ljust(widths[0]), *row)))
-    yield Text(
-        "Deviation {share}; J about the centre of gravity, its products −∫XY dm.", share=f"{solid.deviation:.1e}"
-    )
-
-
-def _numbers(one: Weighed) -> list[float]:
-    """As the columns have them; what is nothing beside its like is 0."""
-    J = one.tensor
-    tensor = [J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[1, 2], J[2, 0]]
-    return [one.volume * 1e-3, one.mass, *_rounded(one.centre), *_rounded(tensor)]
-
-
-def _rounded(numbers: Iterable[float]) -> list[float]:
-    numbers = [float(x) for x in numbers]
-    dust = 1e-9 * max(map(abs, numbers))
-    return [x if abs(x) > dust else 0.0 for x in numbers]
+def _teeth(solids: Solids) -> list[str]:
+    if not (solids.teeth or solids.options.get("wheel") or solids.options.get("module")):
+        return []
+    return [f"teeth at allowance {solids.end or NO_ALLOWANCE}"]
 
 
 def _left_out(shaft: Resolved, shape: Outline) -> Iterator[Text]:
