@@ -180,6 +180,17 @@ def choose(it: argparse.ArgumentParser) -> None:
     quiet_option(it, "print the table alone; with --apply the name of the file alone")
 
 
+@command("fit", "inputs found from runs of the bench, with what they are worth; or why they can not be")
+def fit(it: argparse.ArgumentParser) -> None:
+    it.add_argument("file")
+    it.add_argument("name", metavar="NAME", help="of a row of [[fits]]")
+    it.add_argument(
+        "--apply", action="store_true", help="write what is identified into the design file, and show what then holds"
+    )
+    json_option(it)
+    quiet_option(it, "print the verdict alone")
+
+
 @command(
     "design",
     "the whole drive: the front of all combinations that pass, traded over power, mass, seat, price and margin",

@@ -22,6 +22,7 @@ from ..gears.inputs import ONLY, GearsInputs
 from ..gears.wheel_inputs import Wheel
 from ..imbalance.inputs import ImbalanceInputs
 from ..library.catalogue import Material, Oil, materials, oils
+from ..measurements.fit_inputs import FitInputs, fit_problems
 from ..measurements.inputs import Condition, MeasuredColumn, Measurement
 from ..mounting.inputs import RESERVED, MountingInputs
 from ..sheet.inputs_at import content_at
@@ -135,6 +136,13 @@ class Design:
         Measurement,
         default=(),
         help="Runs of the bench, each in a file beside the design; they stand on top of what is predicted over speed.",
+    )
+
+    fits: tuple[FitInputs, ...] = tables(
+        "Fits",
+        FitInputs,
+        default=(),
+        help="Inputs that `contralbero fit` finds from runs of the bench; no step asks for them.",
     )
 
     # what the files of the measurements hold, read with the design
@@ -337,6 +345,7 @@ class Design:
         yield from self._reasons()
         yield from self._measured()
         yield from self._measurements()
+        yield from self._fits()
         yield from self._names()
         if self.engine is not None:
             yield from self._cranks(self.engine)
@@ -398,6 +407,13 @@ class Design:
             for i, column in enumerate(run.columns):
                 if any(self.step_of(id) not in STEP_KEYS for id in column.value):
                     yield dotted(here, Measurement.columns, i, MeasuredColumn.value), must
+
+    def _fits(self) -> Problems:
+        """Of each fit its runs and its inputs, which are those of steps."""
+        tables: list[tuple[str, object]] = [(step, getattr(self, step)) for step in STEP_KEYS if step != "countershaft"]
+        tables += [(dotted(Design.shafts, shaft.name), shaft) for shaft in self.shafts if not shaft.is_twin]
+        for n, fit in enumerate(self.fits):
+            yield from _within(dotted(Design.fits, n), fit_problems(fit, self.measurements, tables))
 
     def _names(self) -> Problems:
         """Oils and materials that are named and not there, and wheels that lose power and are not there."""

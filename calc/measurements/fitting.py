@@ -29,7 +29,6 @@ AT_BOUND = 1e-6  # share of the range
 TOLERANCE = 1e-10  # of the sum of squares, the step and the gradient
 EVALUATIONS = 30  # a free number
 OF_FORMULA, OF_DESIGN = 1e-5, 1e-3  # steps of the differences, as shares of the range
-MOST_FREE = 4
 
 
 @record
@@ -79,8 +78,9 @@ class FitResult:
     `values` (k,), `sd` (k,) one standard deviation, `limits` (k, 2) two-sided 95 %, all in the unit of the model;
     `correlations` (k, k); `widths` (k,), the widest first, and `directions` (k, k), a row for each, the first of its
     parts that count positive.  What a direction of infinite width spoils is not a number.  `sum_of_squares` of all
-    rows, those of priors among them, with `rows` less k degrees of freedom.  `scaled`: the rows scatter more than their uncertainties say,
-    and sd is wider for it.  `at_bound`: the places of the numbers that ended at low or high."""
+    rows, those of priors among them, of which there are `degrees_of_freedom` more than free numbers.  `scaled`: the
+    rows scatter more than their uncertainties say, and sd is wider for it.  `at_bound`: the places of the numbers that
+    ended at low or high."""
 
     verdict: Verdict
     free: tuple[FreeNumber, ...]

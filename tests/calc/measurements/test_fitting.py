@@ -8,7 +8,7 @@ from math import inf
 import numpy as np
 import pytest
 
-from calc.measurements.fitting import FitResult, FreeNumber, FitRows, differences, fitted
+from calc.measurements.fitting import FitResult, FitRows, FreeNumber, differences, fitted
 from calc.sheet.errors import NoSolution
 from calc.sheet.text import Text
 from tests.conftest import ROOT
@@ -40,7 +40,9 @@ def free(low, high, start, **prior):
     return [FreeNumber(f"p{i}", *ends, **prior) for i, ends in enumerate(zip(low, high, start), 1)]
 
 
-def a_fit(name, measured, sigma, low, high, start, *, x=SPEEDS, common=(), prior=None, prior_sd=None, **how) -> FitResult:
+def a_fit(
+    name, measured, sigma, low, high, start, *, x=SPEEDS, common=(), prior=None, prior_sd=None, **how
+) -> FitResult:
     numbers = [
         FreeNumber(f.name, f.low, f.high, f.start, None if prior is None else prior[i], prior_sd and prior_sd[i])
         for i, f in enumerate(free(low, high, start))
