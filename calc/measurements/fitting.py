@@ -177,7 +177,7 @@ def fitted(model: Model, data: FitRows, free: Sequence[FreeNumber], step: float 
     )
     q = np.asarray(found.x)
     total, weighted = float(at(q) @ at(q)), data.sigma is not None
-    fit = _judged(free, q, jacobian(q), total, rows - count, weighted=weighted, converged=found.status > 0)
+    fit = _judged(free, q, np.asarray(found.jac), total, rows - count, weighted=weighted, converged=found.status > 0)
     return replace(fit, evaluations=evaluations)
 
 
@@ -217,7 +217,7 @@ def _judged(
     share = np.sqrt(np.diag(covariance))
     with np.errstate(invalid="ignore"):  # rows that are met exactly leave no scatter
         correlations = covariance / np.outer(share, share)
-    scaled = weighted and total > chdtri(dof, 0.025)
+    scaled = weighted and bool(total > chdtri(dof, 0.025))
     span, low = np.array([f.range for f in free]), np.array([f.low for f in free])
     values = low + q * span
     sd = share * span * (sqrt(variance(total, dof)) if scaled else 1.0)
