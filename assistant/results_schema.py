@@ -12,6 +12,7 @@ from typing import Any, get_args
 from assistant.results_text import RESULTS
 from calc.design.model import STEP_KEYS
 from calc.design.schema import DIALECT
+from calc.measurements.fit_words import VERDICTS as FIT_VERDICTS
 from calc.measurements.words import Judged, Runs
 from calc.sheet.check import KINDS, Role
 from calc.sheet.verdict import State
@@ -116,6 +117,11 @@ def results_schema() -> Schema:
             "tables": _by("Tables of results.", "step and id of a table: `bearings.seats`", _table()),
             "checks": _list("Every check, step by step.", _check()),
             "measurements": _by("Runs of the bench beside what is predicted.", "the name of a run", _run()),
+            "fits": _by(
+                "Inputs found from runs; with --fits their values and checks stand among the others.",
+                "the name of a fit",
+                _fit(),
+            ),
             "errata": _list("Where a source has another value than is judged here, and why.", _erratum()),
             "proposals": _by("What a step proposes.", "a step", _texts("In sentences.")),
             "notes": _by("What is said of a step: how it was computed, what was chosen.", "a step", _texts("")),
@@ -212,6 +218,18 @@ def _check() -> Schema:
 def _end(what: str) -> Schema:
     about = f"{what}; `holds`: no limit can be passed over there; `none`: nobody knows; null: nothing is missing."
     return {"description": about, "anyOf": [_number(""), {"enum": list(ENDS)}]}
+
+
+def _fit() -> Schema:
+    about = "identified, at its bound, not identifiable or not converged; null: it is not made, or ended on its way."
+    return _object(
+        "With more where it is made.",
+        {
+            "of": _texts("The names of its runs."),
+            "free": _texts("The keys of its free inputs."),
+            "verdict": {"description": about, "enum": [*FIT_VERDICTS, None]},
+        },
+    )
 
 
 def _run() -> Schema:

@@ -463,6 +463,10 @@ def results_json(
             run.name: run_json(run, [column for column in columns if column.target.run == run.name])
             for run in results.design.runs
         },
+        "fits": {
+            fit.name: {"of": results.design.runs_of(fit), "free": [row.key for row in fit.free], "verdict": None}
+            for fit in results.design.fits  # which take long, and are made where they are asked for
+        },
         "steps": {o.key: o.verdict for o in shown},
         "errata": [
             {

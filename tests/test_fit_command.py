@@ -40,7 +40,7 @@ def test_without_apply_nothing_is_written(tmp_path):
     done = run("fit", path, "engine")
     assert done.returncode == 0 and path.read_bytes() == before and "--apply" in done.stdout
     done = run("fit", path, "engine", "-q")
-    assert done.stdout == "engine: identified\n"
+    assert done.stdout.startswith("engine: identified, crank radius 5") and done.stdout.count("\n") == 1
 
 
 @pytest.mark.parametrize(
@@ -92,3 +92,25 @@ def test_a_value_in_a_table_on_one_line_has_no_place_for_a_comment(tmp_path):
     done = run("fit", path, "engine", "--apply")
     assert done.returncode == 0 and "fitted" not in path.read_text()
     assert load_design(path).engine.rod_length == pytest.approx(0.170, abs=0.01)
+
+
+@pytest.fixture(scope="module")
+def checked(tmp_path_factory):
+    return engine_run(tmp_path_factory.mktemp("engine"), fits(R_ROW), {"mean_piston_speed": 0.02}, noise=1)
+
+
+def test_check_says_that_a_fit_is_there_and_makes_it_when_asked(checked):
+    quick = run("check", checked).stdout
+    assert "engine: 1 input to be found from mean-piston-speed: `contralbero fit FILE engine`, or --fits here" in quick
+    done = run("check", checked, "--fits").stdout
+    assert "engine: identified, crank radius 5" in done and " ± 0." in done
+
+
+def test_check_as_json_has_the_values_of_fits_that_are_made(checked):
+    quick = json.loads(run("check", checked, "--json").stdout)
+    assert quick["fits"]["engine"] == {"of": ["mean-piston-speed"], "free": [RADIUS], "verdict": None}
+    found = json.loads(run("check", checked, "--fits", "--json").stdout)
+    assert found["fits"]["engine"]["verdict"] == "identified"
+    assert found["values"][f"fit.engine.{RADIUS}.sd"]["unit"] == "mm"
+    (check,) = [row for row in found["checks"] if row["id"] == "fit.engine"]
+    assert (check["kind"], check["verdict"], check["limit"]) == ("method", "pass", 0.25)

@@ -5,11 +5,12 @@ import json
 import shlex
 import sys
 from argparse import Namespace
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from assistant.fits_text import print_fits, with_fits
 from assistant.named_files import each, files_of, many, read_design
 from assistant.results_text import errors_json, print_results, print_runs, results_json, state_words
 from calc.design.addresses import Table, address, every, parse_assignment
@@ -23,6 +24,9 @@ from calc.sheet.progress import at_most
 from calc.sheet.text import Text
 from calc.sheet.verdict import named
 from calc.solve import Results, solve
+
+if TYPE_CHECKING:
+    from calc.studies.fit_results import DesignFit
 
 TRIES = 40  # designs that may be solved for checks that no search is made for: about a second
 
@@ -71,7 +75,8 @@ def _check(asked: Namespace, file: str, changes: Sequence[str], before: str = ""
     state = results.verdict if asked.step is None else results.outcomes[asked.step].verdict
     code = exit_code(state, asked.strict)
     if asked.json:
-        return code, results_json(document, results, asked.step, changes, measured=True)
+        found = results_json(document, results, asked.step, changes, measured=True)
+        return code, with_fits(found, _fits(document, results, asked))
     if asked.quiet:
         print(f"{before}{state_words(results, asked.step)}")
         return code, {}
@@ -83,9 +88,20 @@ def _check(asked: Namespace, file: str, changes: Sequence[str], before: str = ""
     sys.stdout.flush()  # the verdicts are there before the nodes of runs are solved, and before the search ends
     print_runs(results, asked.step, tables=asked.all or asked.step is not None)
     sys.stdout.flush()
+    print_fits(changed_design, _fits(document, results, asked), whole=asked.all)
+    sys.stdout.flush()
     if state in EXITS:
         print("\n" + "\n".join(nearest_passing(document, results, file, changes, asked.step, short=asked.short)))
     return code, {}
+
+
+def _fits(document: Document, results: Results, asked: Namespace) -> "Mapping[str, DesignFit | Text]":
+    """The fits that are asked for; none without --fits."""
+    if not asked.fits or not results.design.fits:
+        return {}
+    from calc.studies.fits import fits_of  # which a check without any does not load
+
+    return fits_of(document, results)
 
 
 def nearest_passing(

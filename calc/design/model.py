@@ -272,6 +272,10 @@ class Design:
     def applications(self) -> tuple[str, ...]:
         return tuple(applications())
 
+    def runs_of(self, fit: FitInputs) -> list[str]:
+        """The names of the runs that it is of."""
+        return [run.name for run in self.measurements if fit.of is None or run.name in fit.of]
+
     def title(self, step: str) -> Text:
         """What a step is called in this design."""
         return Text("Balance shafts") if step == "countershaft" and len(self.shafts) > 1 else TITLES[step]

@@ -4,12 +4,12 @@
 from collections.abc import Mapping
 from math import isfinite
 
-from ..measurements.fit_words import VERDICTS, FreeName, written
+from ..measurements.fit_words import VERDICTS, FreeName, sentence, written
 from ..measurements.fitting import WIDEST, FitResult
 from ..sheet.check import Check, CheckRule
 from ..sheet.quantity import Described, Published
 from ..sheet.record import record
-from ..sheet.text import Text
+from ..sheet.text import COMMA, EMPTY, Amount, Text
 from ..sheet.units import UNITS
 
 Changes = Mapping[str, float | None]  # keys with numbers in their units; None takes one out
@@ -47,6 +47,31 @@ class DesignFit:
         return self.result.verdict == "identified"
 
     @property
+    def verdict(self) -> Text:
+        return VERDICTS[self.result.verdict]
+
+    @property
+    def sentence(self) -> Text:
+        """What the verdict means, and what to do."""
+        return sentence(self.result, self.names)
+
+    @property
+    def words(self) -> Text:
+        """`drag: identified, clearance of front 98 ± 9 µm`, in a line."""
+        values = self.values()
+        parts = [self.verdict]
+        for i, name in enumerate(self.names):
+            if (value := values.get(f"{self.id}.{name.key}")) is not None:
+                number = Amount(self.applied(i), digits=6) if i not in self.result.at_bound else Amount(value.shown)
+                sd = values.get(f"{self.id}.{name.key}.sd")
+                spread = Text(" ± {sd}", sd=Amount(sd.shown, digits=3)) if sd is not None else EMPTY
+                words = Text(
+                    "{label} {value}{spread} {unit}", label=name.label, value=number, spread=spread, unit=name.unit
+                )
+                parts.append(words)
+        return Text("{name}: {words}", name=self.name, words=COMMA.join(parts))
+
+    @property
     def id(self) -> str:
         return f"fit.{self.name}"
 
@@ -76,7 +101,7 @@ class DesignFit:
 
     def check(self) -> Check:
         judged = self.result.width if self.result.verdict in ("identified", "not identifiable") else None
-        name = Text("Fit {name}: {verdict}", name=self.name, verdict=VERDICTS[self.result.verdict])
+        name = Text("Fit {name}: {verdict}", name=self.name, verdict=self.verdict)
         keys = tuple(name.key for name in self.names)
         infinite = judged is not None and not isfinite(judged)
         return IDENTIFIED(None if infinite else judged, WIDEST, at=self.name, name=name, moved_by=keys)

@@ -14,13 +14,13 @@ from ..design.labels import label_of
 from ..design.model import Design
 from ..design.names import published
 from ..design.predicted_runs import Target, changed_design, predictions, targets
-from ..design.toml_file import Document, design
+from ..design.toml_file import Document, design, mistaken
 from ..measurements.fit_inputs import FitInputs, FreeInput
 from ..measurements.fit_words import FreeName
 from ..measurements.fitting import OF_DESIGN, FitRows, Floats, FreeNumber, fitted
 from ..mounting.inputs import Mount, Support
 from ..sheet.errors import BadInput, InputError, NoSolution
-from ..sheet.progress import Progress, tell
+from ..sheet.progress import Progress, part, tell
 from ..sheet.quantity import described, dotted
 from ..sheet.step import Outcome
 from ..sheet.text import COMMA, Amount, Text, plural
@@ -36,6 +36,18 @@ EXCLUSIVE = (
 )
 
 
+def fits_of(document: Document, results: Results, progress: Progress | None = None) -> dict[str, DesignFit | Text]:
+    """All fits of a design by their names, in its order; of one that ended on its way why."""
+    found: dict[str, DesignFit | Text] = {}
+    fits = results.design.fits
+    for n, fit in enumerate(fits):
+        try:
+            found[fit.name] = fit_of(document, fit.name, results, part(progress, n / len(fits), (n + 1) / len(fits)))
+        except NoSolution as none:
+            found[fit.name] = none.text
+    return found
+
+
 def fit_of(
     document: Document, name: str, results: Results | None = None, progress: Progress | None = None
 ) -> DesignFit:
@@ -45,6 +57,7 @@ def fit_of(
     a node."""
     fit, place, base = _named(document, name)
     results = results or solve(base)
+    results.demand_runs(document)
     return _Fitting(document, base, fit, place, results).solved(progress)
 
 
@@ -63,7 +76,7 @@ class _Fitting:
 
     def __init__(self, document: Document, base: Design, fit: FitInputs, place: str, results: Results) -> None:
         self.document, self.base, self.fit, self.place, self.results = document, base, fit, place, results
-        self.runs = tuple(run.name for run in base.measurements if fit.of is None or run.name in fit.of)
+        self.runs = tuple(base.runs_of(fit))
         keys = [row.key for row in fit.free]
         self.replaced = tuple(other for key in keys for other in _replaced(document, key) if other not in keys)
         self.names = tuple(
@@ -139,8 +152,9 @@ class _Fitting:
         return all(np.array_equal(a, b, equal_nan=True) for a, b in zip(*found))
 
     def _bad(self, key: str, *reasons: Text) -> BadInput:
-        line = next((self.document.lines[k] for k in _ways(key) if k in self.document.lines), 0)
-        return BadInput(self.document.place, [InputError(line, key, "", reason) for reason in reasons])
+        wrong = mistaken(self.document, [(key, reason) for reason in reasons])
+        assert wrong is not None
+        return wrong
 
     def _demand_designs(self) -> None:
         """Raises BadInput where the design can not have a free input at its start, or at an end of its range."""
@@ -278,9 +292,3 @@ def _replaced(document: Document, key: str) -> list[str]:
         if about in map(described, pair):
             others += [dotted(table, field) for field in pair if described(field) is not about]
     return [other for other in others if value_at(document.data, other) is not None]
-
-
-def _ways(key: str) -> Iterable[str]:
-    while key:
-        yield key
-        key = key.rpartition(".")[0]

@@ -175,3 +175,17 @@ file = "drag.csv"
 speed = "n"
 columns = [{ column = "P", value = "friction.bearing_loss", unit = "W", uncertainty = 2 }]
 """
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["drag-alone", "drag-and-flow"])
+def test_drag_alone_says_nothing_of_two_clearances_and_with_the_oil_flow_both_are_found(name):
+    """The shipped run is made with 95 and 75 µm: `python -m bench.measured_run`."""
+    found = fit(DESIGNS / "r753ie4_measured.toml", name)
+    if name == "drag-alone":
+        assert found.result.verdict == "not identifiable" and found.result.correlation < -0.999
+        return
+    assert found.result.verdict == "identified" and not found.result.scaled
+    for truth, (low, high) in zip((95.0, 75.0), found.result.limits):
+        assert low < truth < high
+    assert found.replaced == ()
