@@ -84,15 +84,16 @@ def checks() -> str:
     """Every declared check, step by step; all are to be loaded."""
     letters = "; ".join(f"**{letter}** in an id stands for {words}" for letter, words in LETTERS.items())
     parts = [CHECKS.format(letters=letters)]
-    for step in STEPS:
+    of_runs = (("measured", "Runs of the bench"), ("fit", "Fits"))
+    for key, title in (*((step.key, step.title) for step in STEPS), *of_runs):
         parts += [
-            f"\n## {step.title}\n",
+            f"\n## {title}\n",
             "| check | kind | why | scale | shown under | moved by |",
             "|---|---|---|---|---|---|",
         ]
-        for rule in sorted((r for r in RULES.values() if r.id.startswith(f"{step.key}.")), key=lambda r: r.id):
+        for rule in sorted((r for r in RULES.values() if r.id.startswith(f"{key}.")), key=lambda r: r.id):
             kind = ", ".join(filter(None, (f"{rule.kind} {rule.role}".strip(), "exact" if rule.exact else "")))
-            moved = " ".join(f"`{key}`" for key in rule.moved_by)
+            moved = " ".join(f"`{moving}`" for moving in rule.moved_by)
             cause = f"`{rule.cause}`" if rule.cause else ""
             parts.append(f"| `{rule.id}` | {kind} | {rule.why} | {rule.zero} | {cause} | {moved} |")
     return "\n".join(parts) + "\n"

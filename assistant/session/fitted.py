@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A design file with a fit in it: the fitted inputs, each with what it was fitted to beside it."""
 
+import re
 import tomllib
 from typing import Any
 
@@ -14,6 +15,7 @@ from calc.studies.fit_results import DesignFit
 from .saving import saved_text
 
 FITTED = "fitted to "
+EARLIER = re.compile(rf"(?:was [^,;]+, )?{FITTED}[^;]*(?:; )?")  # what an earlier fit has written
 
 
 def with_fit(document: Document, fit: DesignFit) -> Document:
@@ -71,7 +73,7 @@ def _remarked(text: str, remarks: dict[Place, str]) -> str:
             continue
         trivia = here[last].trivia
         before = trivia.comment.lstrip("# \t")
-        before = before.partition("; ")[2] if before.startswith(FITTED) else before
+        before = EARLIER.sub("", before)
         trivia.comment = f"# {remark}; {before}" if before else f"# {remark}"
         trivia.comment_ws = trivia.comment_ws or "  "
     made = tomlkit.dumps(edited)

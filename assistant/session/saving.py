@@ -32,8 +32,8 @@ class SaveError(OSError):
 
 
 ORIGIN = re.compile(  # how a comment begins that says where a value comes from
-    r"(?:assumed|estimated|guessed|typical|measured|copied|read|taken|from|as (?:printed|stated|given|drawn|measured)"
-    r"|finite-element)\b",
+    r"(?:assumed|estimated|guessed|typical|measured|fitted|copied|read|taken|from|finite-element"
+    r"|as (?:printed|stated|given|drawn|measured))\b",
     re.IGNORECASE,
 )
 REASONS = ("accepted", "without", "locked")  # tables of reasons by ids, which have dots of their own

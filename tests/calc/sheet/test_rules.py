@@ -15,9 +15,10 @@ from calc.design.upgrade import current
 from calc.sheet.check import KINDS, LETTER, RULES, CheckRule
 from calc.sheet.quantity import keys
 from calc.solve import Results, solve
+from calc.studies.fit_results import IDENTIFIED
 from tests.conftest import SHIPPED
 
-list(BEARINGS.values())  # a room is loaded when it is asked for
+list(BEARINGS.values()), IDENTIFIED  # what is loaded when it is asked for
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 OLD = sorted((REFERENCE / "designs_0_1").glob("*.toml"))

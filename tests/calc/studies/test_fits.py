@@ -188,4 +188,4 @@ def test_drag_alone_says_nothing_of_two_clearances_and_with_the_oil_flow_both_ar
     assert found.result.verdict == "identified" and not found.result.scaled
     for truth, (low, high) in zip((95.0, 75.0), found.result.limits):
         assert low < truth < high
-    assert found.replaced == ()
+    assert [key.rpartition(".")[2] for key in found.replaced] == ["clearance_factor"] * 2
