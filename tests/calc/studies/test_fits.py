@@ -178,7 +178,7 @@ columns = [{ column = "P", value = "friction.bearing_loss", unit = "W", uncertai
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["drag-alone", "drag-and-flow"])
+@pytest.mark.parametrize("name", ["drag-alone", "drag"])
 def test_drag_alone_says_nothing_of_two_clearances_and_with_the_oil_flow_both_are_found(name):
     """The shipped run is made with 95 and 75 µm: `python -m bench.measured_run`."""
     found = fit(DESIGNS / "r753ie4_measured.toml", name)
