@@ -40,6 +40,7 @@ from .typesetting.boxes import Symbol
 
 if TYPE_CHECKING:
     from calc.design.run_results import RunResults  # which a design without runs does not load
+    from calc.studies.fit_results import DesignFit
 
 # --- the logo of a title block: a PNG file beside the design, in which a stranger may have put anything
 
@@ -210,6 +211,7 @@ class Context:
     made: dict[str, str] = field(default_factory=versions)  # with which versions
     drive: Picked | None = None  # of the front that the design is one drive of
     runs: RunResults | None = None  # of the bench, at whose nodes the design was solved
+    fits: dict[str, DesignFit | Text] = field(default_factory=dict)  # those that are made, by their names
     shaft: str = ""  # the one of several that is in view, with ids that do not say its name
     figures: int = 0
     chapter: str = ""  # key of the step whose chapter is being made

@@ -112,6 +112,10 @@ def render(
     context.made = made or context.made
     context.drive = picked(front, document.data) if front is not None else None
     context.runs = results.runs
+    if results.design.fits and context.audit:  # some seconds each, which no shorter report takes
+        from calc.studies.fits import fits_of
+
+        context.fits = fits_of(document, results)
     control, picture = context.design.control, context.logo
     tell(progress, WHOLE, context.design.name)
     pages = composed(blocks(context, part(progress, WHOLE, MADE)))
@@ -206,6 +210,10 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
 
         body += _section(f"{number}  {w['measured']}", "measured", entries, need=200.0)
         body += run_blocks(context, context.runs, plots)
+        if context.design.fits:
+            from .blocks.fits import fit_blocks
+
+            body += fit_blocks(context, context.design, context.fits)
         number += 1
     if materials := material_blocks(context) + wheel_blocks(context):
         body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)

@@ -8,6 +8,8 @@ from ..sheet.record import record
 from ..sheet.text import SEMICOLON, SPACE, Amount, Name, Text, listed
 from .fitting import EVALUATIONS, PART, WIDEST, FitResult
 
+BEYOND = 1000  # times the ranges
+
 VERDICTS = {
     "identified": Text("identified"),
     "at its bound": Text("at its bound"),
@@ -71,11 +73,15 @@ def sentence(fit: FitResult, names: Sequence[FreeName]) -> Text:
     return SPACE.join(parts)
 
 
+def width_words(fit: FitResult, digits: int = 2) -> Text | Amount:
+    """How wide the worst direction is; far beyond the ranges its digits are those of the differences."""
+    return Text("more than {n}", n=BEYOND) if fit.width > BEYOND else Amount(fit.width, digits=digits)
+
+
 def _not_identifiable(fit: FitResult, names: Sequence[FreeName]) -> Text:
     """Each direction along which the rows do not hold the free inputs, and what would help."""
     loose = [direction for w, direction in zip(fit.widths, fit.directions) if w > WIDEST]
     ways = SEMICOLON.join(_combination(direction, names) for direction in loose)
-    wide = Text("no end") if not isfinite(fit.width) else Amount(fit.width, digits=2)
     helps = Text("another measured column that depends on them otherwise, a prior, or fewer free inputs would help")
     if len(names) == 1:
         helps = Text("another measured column that depends on it, more exact rows, or a prior would help")
@@ -83,7 +89,7 @@ def _not_identifiable(fit: FitResult, names: Sequence[FreeName]) -> Text:
         "What was measured hardly changes with {ways}: along that the width is {wide} of the ranges (at most {most}). "
         "No values are given; {helps}.",
         ways=ways,
-        wide=wide,
+        wide=width_words(fit),
         most=WIDEST,
         helps=helps,
     )

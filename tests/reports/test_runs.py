@@ -13,6 +13,7 @@ from calc.studies.shipped import DESIGNS
 from reports import comparison
 from reports.report import render
 from reports.verify.verify import Verdict, verify
+from tests.engine_run import R_ROW, engine_run, fits
 
 RUN = """
 [[measurements]]
@@ -65,3 +66,17 @@ def test_two_designs_on_the_runs_of_both(sides):
     assert "Runs of the bench on both" in text and "run: P" in text
     Path(a[0].place).with_name("run.csv").unlink()
     assert verify(pdf, "compared.pdf").verdict is Verdict.IDENTICAL
+
+
+def test_the_audit_report_makes_the_fits_and_a_shorter_one_says_that_they_are_there(tmp_path):
+    path = engine_run(tmp_path, fits(R_ROW), {"mean_piston_speed": 0.02}, noise=1)
+    document = read(path)
+    results = solve(design(document))
+
+    def words(depth: str) -> str:
+        pdf = render(document, results, document.raw, depth=depth)
+        return " ".join(page.extract_text() for page in PdfReader(io.BytesIO(pdf)).pages)
+
+    audit = words("audit")
+    assert "Fit engine: identified" in audit and "crank radius" in audit and "Standard deviation" in audit
+    assert "1 input is to be found from mean-piston-speed" in words("engineer")
