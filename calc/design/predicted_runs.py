@@ -69,7 +69,7 @@ class Source:
             near = get_close_matches(id, [*values], 1)
             meant = Text('; did you mean "{near}"?', near=near[0]) if near else EMPTY
             unsolved = solved.outcomes.get(design.step_of(id))
-            if unsolved is not None and unsolved.state != "solved":
+            if unsolved is not None and unsolved.state not in ("solved", "not_asked"):
                 waits = Text("is not known while this step is not solved: {step}", step=design.step_of(id))
                 self.problem = waits
             else:
@@ -86,7 +86,8 @@ def value_problems(design: Design, solved: Solved) -> Iterator[tuple[str, Text]]
             sources = [Source(design, solved, id) for id in column.value]
             wrong = next((source.problem for source in sources if source.problem), None)
             if wrong is not None:
-                if all(solved.outcomes[design.step_of(id)].state == "solved" for id in column.value):
+                states = {solved.outcomes[design.step_of(id)].state for id in column.value}
+                if states <= {"solved", "not_asked"}:
                     yield dotted(here, MeasuredColumn.value), wrong
                 continue
             units = {source.unit for source in sources}

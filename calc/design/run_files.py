@@ -38,12 +38,27 @@ def read_runs(
         except Unread as why:
             problems.append((dotted(here, Measurement.file), why.text))
             continue
-        rows, wrong = rows_of(run, file, lambda key: _unit(design, key), raw)
+        rows, wrong = _rows(design, run, raw, file)
         problems += [(dotted(here, key), reason) for key, reason in wrong]
         if rows is not None:
             found.append(rows)
             problems += [(dotted(here, key), reason) for key, reason in _beyond(design, run, rows)]
     return tuple(found), problems
+
+
+_known: dict[str, tuple[Measurement, RunFile, tuple[RunRows | None, list[tuple[str, Text]]]]] = {}
+
+
+def _rows(design: Design, run: Measurement, raw: bytes, file: RunFile) -> tuple[RunRows | None, list[tuple[str, Text]]]:
+    """The rows of a run, made once for all designs that say the same of the same file."""
+    before, of, found = _known.get(run.name, (None, None, (None, [])))
+    if before == run and of is file:
+        return found
+    found = rows_of(run, file, lambda key: _unit(design, key), raw)
+    if len(_known) >= KEPT:
+        _known.clear()
+    _known[run.name] = run, file, found
+    return found
 
 
 def _unit(design: Design, key: str) -> str:

@@ -216,7 +216,7 @@ def _number(x: float) -> float | None:
 
 @record
 class RunResults:
-    """All runs of a design.  `problems`: what is wrong with them beside the values that there are, by key."""
+    """All runs of a design: of each the columns whose values the design has."""
 
     design: Design
     columns: tuple[ColumnResult, ...]
@@ -242,11 +242,14 @@ class RunResults:
     def lines(self, step: str | None = None) -> Iterator[Text]:
         """One a run: `drag-run: P agrees, bias −1.2 W (7 nodes)`; `step`: what is of that alone."""
         for run in self.design.measurements:
-            words = [column.words for column in self.of_run(run.name) if step in (None, column.step)]
+            found = self.of_run(run.name)
+            words = [column.words for column in found if step in (None, column.step)]
+            known = {column.target.column for column in found}
+            for name, column in zip(run.column_names, run.columns):
+                if name not in known and step in (None, self.design.step_of(column.value[0])):
+                    words.append(Text("{column} waits for a step without a solution", column=Name(name)))
             if words:
                 yield Text("{run}: {columns}", run=Name(run.name), columns=SEMICOLON.join(words))
-            elif step is None:
-                yield Text("{run}: its steps are not solved", run=Name(run.name))
 
 
 def run_results(design: Design, solved: Solved, solve: Solve) -> RunResults:

@@ -15,15 +15,21 @@ from typing import Any
 
 from ..sheet.record import record
 from ..sheet.text import Text
+from ..sheet.visible import visible
 from .inputs import ROWS
 from .units import canonical
 
-COLUMNS = 500
+COLUMNS, LONGEST = 500, 40  # the letters of a name that are printed
 SEPARATORS = (";", "\t", ",")
 COMMA = re.compile(r"[+-]?\d+,\d+([eE][+-]?\d+)?")
 POINT = re.compile(r"[+-]?(\d+\.\d*|\.\d+)([eE][+-]?\d+)?")
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 EMPTY_CELLS = ("", "nan")
+
+
+def named(words: str) -> str:
+    """What stands in a file of somebody else, as it may be printed."""
+    return visible(words[:LONGEST])
 
 
 class Unread(Exception):
@@ -60,14 +66,14 @@ class RunFile:
                     'line {line}: "{cell}" in column {column} is no number; leave the cell empty where nothing was '
                     "measured",
                     line=self.lines[row],
-                    cell=cell[:40],
-                    column=column,
+                    cell=named(cell),
+                    column=named(column),
                 )
                 raise Unread(is_none)
             cell = point
         number = float(cell)
         if math.isinf(number):
-            raise Unread(Text("line {line}: column {column} is infinite", line=self.lines[row], column=column))
+            raise Unread(Text("line {line}: column {column} is infinite", line=self.lines[row], column=named(column)))
         return number
 
 
@@ -127,7 +133,10 @@ def _separator(header: str) -> str:
 
 
 def _cells(line: str, separator: str) -> list[str]:
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
+    try:
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
+    except csv.Error as error:  # a cell of a hundred thousand letters
+        raise Unread(Text("can not be read as CSV: {why}", why=str(error))) from None
 
 
 def _names(header: Sequence[str]) -> list[str]:
@@ -135,7 +144,7 @@ def _names(header: Sequence[str]) -> list[str]:
         raise Unread(Text("has {count} columns; at most {most} are read", count=len(header), most=COLUMNS))
     twice = [name for name, count in Counter(filter(None, header)).items() if count > 1]
     if twice:
-        raise Unread(Text("has the column {name} twice; give each a name of its own", name=twice[0]))
+        raise Unread(Text("has the column {name} twice; give each a name of its own", name=named(twice[0])))
     return list(header)
 
 
@@ -201,7 +210,7 @@ def _tdms(raw: bytes, digest: str) -> RunFile:
                 if len(channel) > ROWS:
                     raise Unread(_too_many(len(channel)))
                 if channel.name in columns:
-                    twice = Text("has the channel {name} in two groups; keep one of them", name=channel.name)
+                    twice = Text("has the channel {name} in two groups; keep one of them", name=named(channel.name))
                     raise Unread(twice)
                 columns[channel.name] = _floats(list(channel[:]))
                 if unit := str(channel.properties.get("unit_string", "")).strip():
@@ -216,7 +225,7 @@ def _tdms(raw: bytes, digest: str) -> RunFile:
 
 
 def _broken(kind: str, error: Exception) -> Text:
-    return Text("can not be read as {kind}: {why}", kind=kind, why=str(error)[:120] or type(error).__name__)
+    return Text("can not be read as {kind}: {why}", kind=kind, why=visible(str(error)[:120]) or type(error).__name__)
 
 
 def _floats(cells: Sequence[Any]) -> list[float]:

@@ -15,9 +15,10 @@ from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import UNITS
 from .inputs import Condition, MeasuredColumn, Measurement
-from .reading import RunFile, Unread
+from .reading import RunFile, Unread, named
 from .units import canonical, conversion
 
+SHOWN = 12  # columns of a file that are named
 ROOT_2 = math.sqrt(2.0)
 KEPT = "# rows used of a file with sha256 {digest}, {lost} left out\n"  # first line of what a report has inside
 DIGEST = re.compile(rb"# rows used of a file with sha256 ([0-9a-f]{64}), ([0-9]{1,5}) left out\r?\n")
@@ -117,9 +118,11 @@ class _Rows:
         nothing = [math.nan] * len(self.file.lines)
         if column not in self.file.columns:
             near = get_close_matches(column, list(self.file.columns), 1)
-            others = ", ".join(list(self.file.columns)[:12])
+            others = ", ".join(map(named, list(self.file.columns)[:SHOWN]))
             known = (
-                Text('; did you mean "{near}"?', near=near[0]) if near else Text("; there are {others}", others=others)
+                Text('; did you mean "{near}"?', near=named(near[0]))
+                if near
+                else Text("; there are {others}", others=others)
             )
             no_column = Text("{file} has no such column", file=self.run.file) + known
             self.problems.append((key, no_column))
@@ -140,7 +143,7 @@ class _Rows:
         if how is None:
             other = Text(
                 "is in {unit} by the line of units of {file}; needs {into}, or a unit of its dimension",
-                unit=unit,
+                unit=named(unit),
                 file=self.run.file,
                 into=into or "1",
             )
@@ -183,7 +186,9 @@ class _Rows:
             return file_unit
         unit = canonical(about.unit)
         if file_unit is not None and file_unit != unit:
-            other = Text("is {file_unit} by the line of units of {file}", file_unit=file_unit, file=self.run.file)
+            other = Text(
+                "is {file_unit} by the line of units of {file}", file_unit=named(file_unit), file=self.run.file
+            )
             self.problems.append((dotted(where, MeasuredColumn.unit), other))
         return unit
 

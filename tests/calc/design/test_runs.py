@@ -193,6 +193,11 @@ def errors(*runs, **changes):
             "measurements.0.columns.0.value",
             'did you mean "imbalance.order_1.couple_backward"?',
         ),
+        (
+            {"columns": [{**P, "value": "mounting.measured.half.seat.velocity_x"}]},
+            "measurements.0.columns.0.value",
+            "needs [mounting]",
+        ),
         ({"columns": [{**P, "value": "nothing"}]}, "measurements.0.columns.0.value", "must be the id of a value"),
         ({"columns": [P, P]}, "measurements.0.columns.1.name", "stands twice"),
         (
@@ -219,6 +224,11 @@ def errors(*runs, **changes):
 )
 def test_what_is_wrong_with_a_run_is_named(changes, key, words):
     assert words in errors({**RUN, **changes})[key]
+
+
+def test_what_stands_in_a_file_does_not_reach_the_terminal_as_it_is():
+    wrong = errors(RUN, files={"run.csv": b"n;P\x1b[2J\n1;2\n"})
+    assert "\x1b" not in "".join(wrong.values()) and "no such column" in wrong["measurements.0.columns.0.column"]
 
 
 def test_all_of_it_is_said_at_once():
