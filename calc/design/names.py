@@ -234,6 +234,8 @@ CHOICE_WORDS: dict[str, str] = {
     "two_term": Text("two terms"), "throttled": Text("by a throttle"), "unthrottled": Text("by the fuel alone"),
     "equal": Text("equal"), "per_pin": Text("per pin"), "least_squares": Text("least squares"), "given": Text("given"),
     "size": Text("sized"),
+    "with": Text("with its rotation"), "against": Text("against its rotation"),
+    "residual": Text("the residual"), "total": Text("the whole, with the target"),
     "bearings": Text("its bearings alone"), "plain": Text("plain"), "open": Text("open"),
     "shell": Text("in a shell"), "bracket": Text("counted, between its bounds"), "yes": Text("yes"),
     "no": Text("no"), "vdi": "VDI", "source": Text("as the source"),

@@ -35,7 +35,6 @@ RING = Text("statics: both rings have the force and the moment of the target, ag
 COUNTED = {"s": "s_z", "phi": "φ", "phi_0": "φ_0"}
 OF_SHOP = {
     "s": "1 where the shop counts as the crank turns, −1 against it",
-    "phi": "Angle in the engine, cylinder 1 at TDC",
     "phi_0": "Angle from which the shop counts",
 }
 
@@ -57,7 +56,7 @@ def target_rear(m: Kilogram, e: Metre, gamma: Radian, z: Metre, z_f: Metre, z_r:
     return resultant(m * e * cis(gamma) * (z - z_f) / (z_r - z_f))
 
 
-@formula("|U|", "mathematics, length of the vector", unit="g·mm")
+@formula("|U|", "mathematics: length of the vector of an unbalance", unit="g·mm")
 def length(U: PhasorKilogramMetre) -> KilogramMetre:
     return modulus(U)
 
@@ -77,7 +76,7 @@ def direction(U: PhasorKilogramMetre) -> Radian:
     SHOP,
     shows="s_z·(φ − φ_0), from 0 to 360°",
     names=COUNTED,
-    meanings=OF_SHOP | {"return": "Angle as the shop counts it"},
+    meanings=OF_SHOP | {"phi": "Angle in the engine, cylinder 1 at TDC", "return": "Angle as the shop counts it"},
 )
 def shop_angle(s: Number, phi: Radian, phi_0: Radian) -> Radian:
     """>>> import math

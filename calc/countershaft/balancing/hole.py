@@ -15,7 +15,7 @@ from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre3, Metre, Ra
 
 HOLES = Text("geometry, a radial hole by a drill with its cone into a cylinder (Finotti 2013, 4.1, has it flat)")
 NAMES = {"theta": "θ_c", "a": "a_c", "q": "q_c", "l": "l_c"}
-MEANINGS = {
+_MEANINGS = {
     "rho": "Density",
     "R": "Outer radius at the hole",
     "a": "Radius of the drill",
@@ -23,6 +23,12 @@ MEANINGS = {
     "l": "Length of the drill's cone",
     "theta": "Point angle of the drill",
 }
+
+
+def _of(*names: str) -> dict[str, str]:
+    return {name: _MEANINGS[name] for name in names}
+
+
 POINTS = 64  # of the mean over the drill's circle; it is smooth and periodic, so that they give all digits
 
 
@@ -31,7 +37,7 @@ def drill_radius(d: Metre) -> Metre:
     return d / 2
 
 
-@formula("l_c", Text("{holes}: its cone", holes=HOLES), unit="mm", names=NAMES, meanings=MEANINGS)
+@formula("l_c", Text("{holes}: its cone", holes=HOLES), unit="mm", names=NAMES, meanings=_of("a", "theta"))
 def cone_length(a: Metre, theta: Radian) -> Metre:
     """>>> cone_length(a=0.007, theta=118 * pi / 180)
     0.0042060243...
@@ -58,7 +64,7 @@ def least_depth(R: Metre, a: Metre) -> Metre:
     shows="R·₂F₁(−½, ½; 2; a²/R²)",
     unit="mm",
     names=NAMES,
-    meanings=MEANINGS | {"return": "Mean height of the surface over a hole"},
+    meanings=_of("R", "a") | {"return": "Mean height of the surface over a hole"},
 )
 def mean_surface(R: Metre, a: Metre) -> Metre:
     """∬ √(R² − y²) over the drill's circle, by its area: R·(1 − a²/8R² − a⁴/64R⁴ − …)."""
@@ -67,12 +73,20 @@ def mean_surface(R: Metre, a: Metre) -> Metre:
     return R * mean
 
 
-@formula("m_c", Text("{holes}: what it takes away", holes=HOLES), unit="g", names=NAMES, meanings=MEANINGS)
+@formula(
+    "m_c", Text("{holes}: what it takes away", holes=HOLES), unit="g", names=NAMES, meanings=_of("rho", "a", "q", "l")
+)
 def hole_mass(rho: KilogramPerMetre3, a: Metre, R_m: Metre, q: Metre, l: Metre) -> Kilogram:
     return rho * pi * a**2 * (R_m - q + l / 3)
 
 
-@formula("ΔU", Text("{holes}: unbalance taken away", holes=HOLES), unit="g·mm", names=NAMES, meanings=MEANINGS)
+@formula(
+    "ΔU",
+    Text("{holes}: unbalance taken away", holes=HOLES),
+    unit="g·mm",
+    names=NAMES,
+    meanings=_of("rho", "a", "R", "q", "l"),
+)
 def hole_unbalance(rho: KilogramPerMetre3, a: Metre, R: Metre, q: Metre, l: Metre) -> KilogramMetre:
     return rho * pi * a**2 * ((R**2 - a**2 / 4 - q**2) / 2 + l / 3 * (q - l / 4))
 
@@ -82,7 +96,7 @@ def hole_unbalance(rho: KilogramPerMetre3, a: Metre, R: Metre, q: Metre, l: Metr
     Text("{holes}: its depth for an unbalance, the inverse", holes=HOLES),
     unit="mm",
     names=NAMES | {"U": "u_k"},
-    meanings=MEANINGS | {"U": "Unbalance that a hole takes"},
+    meanings=_of("rho", "a", "R", "l") | {"U": "Unbalance that a hole takes"},
 )
 def depth_for(U: KilogramMetre, rho: KilogramPerMetre3, a: Metre, R: Metre, l: Metre) -> Metre:
     """The depth of the full diameter.  Below the least depth, and below zero for less than the cone alone would take,
