@@ -74,7 +74,9 @@ class RexsModel:
 
 
 def _known(content: Content) -> bool:
-    return isinstance(content, str) or all(map(isfinite, content if isinstance(content, tuple) else (content,)))
+    if isinstance(content, str):
+        return bool(content)
+    return all(map(isfinite, content if isinstance(content, tuple) else (content,)))
 
 
 def pose(at: Place) -> dict[str, Content]:

@@ -123,6 +123,42 @@ def test_given_value(row):
     assert given(row) == pytest.approx(row["is"], rel=row["rel"])
 
 
+UNITS = {
+    ("gear_casing", "engine block", "temperature_lubricant"): ("C", 120.0),
+    ("lubricant", "10W-40 Q8 T905", "viscosity_at_40_degree_celsius"): ("mm^2 / s", 95.7),
+    ("lubricant", "10W-40 Q8 T905", "density_at_15_degree_celsius"): ("kg / dm^3", 0.86),
+    ("material", "20CrNi4", "elastic_modulus"): ("N / mm^2", 206000.0),
+    ("material", "20CrNi4", "density"): ("kg / dm^3", 7.86),
+    ("material", "20CrNi4", "thermal_expansion_coefficient_plus"): ("1e-6 / C", 11.5),
+    ("hydrodynamic_radial_plain_bearing", "front", "feed_pressure_plain_bearing"): ("N / mm^2", 0.4),
+    ("cylindrical_gear", "central", "lower_backlash_allowance_referenced_to_span"): ("mum", -20.0),
+    ("cylindrical_gear", "idler", "arithmetic_average_roughness_flank"): ("mum", 0.8),
+    ("cylindrical_gear", "crank", "helix_angle_reference_diameter"): ("deg", 21.916),
+    ("cylindrical_gear", "central", "helix_angle_reference_diameter"): ("deg", -21.916),
+    ("cylindrical_stage", "idler_shaft", "lower_center_distance_allowance"): ("mum", 55.0),
+    ("cylindrical_stage", "idler_shaft", "center_distance"): ("mm", 68.698),
+}  # fmt: skip
+RESULTS = {  # in the unit of the file over that in which the program shows it
+    ("hydrodynamic_radial_plain_bearing", "rear", "lubricant_flow_through_bearing"): ("bearings.rear.oil_flow", 1.0),
+    ("hydrodynamic_radial_plain_bearing", "rear", "diameter_clearance_plain_bearing"): ("bearings.rear.clearance", 1.0),
+    ("hydrodynamic_radial_plain_bearing", "rear", "relative_eccentricity_plain_bearing"): ("bearings.rear.eccentricity", 1.0),
+    ("cylindrical_stage", "central_idler", "minimum_normal_backlash"): ("gears.central_idler.backlash_min", 1e-3),
+    ("cylindrical_stage", "central_idler", "total_contact_ratio"): ("gears.central_idler.total_contact_ratio", 1.0),
+    ("cylindrical_gear", "shaft", "root_form_diameter"): ("gears.shaft.form_diameter", 1.0),
+    ("external_load", "crank drive", "torque_around_u_axis"): ("friction.crank_torque", 1.0),
+    ("shaft", "shaft", "mass_of_component"): ("countershaft.mass", 1.0),
+}  # fmt: skip
+
+
+def test_numbers_stand_in_their_units():
+    results, model = of(GAMMA, more=AS_GIVEN)
+    written, values = attributes(model.file()), results.values()
+    for key, (unit, number) in UNITS.items():
+        assert written[key][0] == unit and float(written[key][1]) == pytest.approx(number), key
+    for key, (id, factor) in RESULTS.items():
+        assert float(written[key][1]) == pytest.approx(values[id].shown * factor, rel=1e-9), key
+
+
 # --- masses
 
 
@@ -140,7 +176,7 @@ EXTRA = (
 @pytest.mark.parametrize(
     "model",
     [
-        pytest.param(lambda: of(GAMMA), id="gamma"),
+        pytest.param(lambda: of(GAMMA, more=AS_GIVEN), id="gamma"),
         pytest.param(lambda: of(PAIR), id="two shafts"),
         pytest.param(lambda: of(PAIR, WITH_EXTRA, EXTRA, more=TUNGSTEN), id="hollow, heavier sectors, an extra mass"),
         pytest.param(
@@ -335,7 +371,7 @@ def test_a_wheel_of_another_material_than_its_shaft_has_its_own():
 
 
 def test_torques_are_passed_on_without_loss_each_with_its_own_sense():
-    results, model = of(GAMMA)
+    results, model = of(GAMMA, more=AS_GIVEN)
     for key, mesh in results.train.meshes.items():
         one, two = (
             named(model, "cylindrical_stage_gear_data", f"{name} in {key}").attributes
@@ -356,7 +392,7 @@ def test_nothing_to_write():
 
 
 def test_the_same_design_is_the_same_bytes():
-    assert rexs(of(GAMMA)[0]).file() == rexs(of(GAMMA)[0]).file()
+    assert rexs(of(GAMMA, more=AS_GIVEN)[0]).file() == rexs(of(GAMMA, more=AS_GIVEN)[0]).file()
 
 
 @pytest.mark.slow
@@ -414,7 +450,7 @@ def test_what_is_said_of_a_file_stands_at_its_head():
 
 def test_what_is_not_known_is_left_out():
     model = RexsModel()
-    one = model.add("gear_casing", "x", temperature_lubricant=None, width=math.nan, length=np.float64(1.5))
+    one = model.add("gear_casing", "x", temperature_lubricant=None, name="", width=math.nan, length=np.float64(1.5))
     assert one.attributes == {"length": 1.5}
 
 
