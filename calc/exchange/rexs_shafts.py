@@ -9,24 +9,30 @@ from collections.abc import Iterator
 from math import cos, sin
 
 from ..countershaft.inputs import EccentricMass
-from ..countershaft.outline import Outline, Piece, centre_of_gravity, sector_area, sector_mass, sector_moment
+from ..countershaft.mass_properties import moment_of_squares
+from ..countershaft.outline import SECTOR, Outline, Piece, centre_of_gravity, sector_area, sector_mass, sector_moment
 from ..countershaft.twins import Resolved, turned_over
 from ..sheet.formula import formula
 from ..sheet.text import Amount, Text
-from ..sheet.units import KilogramMetre2, KilogramPerMetre3, Metre, Metre4, SquareMetre
+from ..sheet.units import KilogramMetre2, KilogramPerMetre3, Metre, Metre4, Radian, SquareMetre
 from .rexs_bearings import BearingPlace, add_bearing
 from .rexs_file import Component, Content, pose
 from .rexs_unit import GearUnit
 
 ABOUT_AXIS = Text("geometry: sector without its core, about axes in its middle on the shaft's axis")
 SMALLEST: Metre = 1e-9  # of a core: less is none
-NO_HOLE = "{name} of the shaft {shaft}, {less}, is left out: masses in a file of REXS are above zero."
+NO_HOLE = Text("{name} of the shaft {shaft}, {less}, is left out: masses in a file of REXS are above zero.")
 ON_CRANK = Text("Where the shaft stands is not known: it stands on the crank's axis. axis_mm says it.")
 
 
+@formula("P", Text("{sector}: its polar moment about the axis", sector=SECTOR), unit="mm⁴")
+def sector_polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
+    return gamma * (R**4 - r_0**4) / 2
+
+
 @formula("J_u", ABOUT_AXIS, unit="kg·mm²", meanings={"rho": "Density", "b": "Length of the sector"})
-def about_shaft(rho: KilogramPerMetre3, b: Metre, gamma: float, R: Metre, r_0: Metre) -> KilogramMetre2:
-    return rho * b * gamma * (R**4 - r_0**4) / 2
+def about_shaft(rho: KilogramPerMetre3, b: Metre, P: Metre4) -> KilogramMetre2:
+    return rho * b * P
 
 
 @formula("J_v", ABOUT_AXIS, unit="kg·mm²", meanings={"rho": "Density", "b": "Length of the sector"})
@@ -148,15 +154,16 @@ class WrittenShaft:
         A = sector_area(gamma=gamma, R=R, r_0=r_0)
         e = centre_of_gravity(S=sector_moment(gamma=gamma, R=R, r_0=r_0), A=A)
         phi = self._turned(piece.angle)
-        sum_, difference = gamma * (R**4 - r_0**4) / 2, sin(2 * gamma) * (R**4 - r_0**4) / 4 * cos(2 * phi)
-        about_v, about_w = (across_shaft(rho=rho, b=b, I=(sum_ + s * difference) / 2, A=A) for s in (-1, 1))
+        P = sector_polar_moment(gamma=gamma, R=R, r_0=r_0)  # ∫x² + ∫y²
+        D = moment_of_squares(gamma=gamma, R=R, r_0=r_0, phi=phi).real  # ∫x² − ∫y²
+        about_v, about_w = (across_shaft(rho=rho, b=b, I=I, A=A) for I in ((P - D) / 2, (P + D) / 2))
         self._mass(
             shaft,
             name,
             sector_mass(rho=rho, A=A, b=b),
             (piece.start + piece.end) / 2,
             complex(e * cos(phi), e * sin(phi)),
-            moment_of_inertia_u_axis=about_shaft(rho=rho, b=b, gamma=gamma, R=R, r_0=r_0),
+            moment_of_inertia_u_axis=about_shaft(rho=rho, b=b, P=P),
             moment_of_inertia_v_axis=about_v,
             moment_of_inertia_w_axis=about_w,
             length=b,
