@@ -7,10 +7,13 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 
 
-def missing(extra: str, module: str, place: str) -> InputError | None:
-    """That the module of an extra is not installed, and how it is; `place`: what asked for it."""
+def missing(extra: str, module: str, place: str, words: Text | None = None) -> InputError | None:
+    """That the module of an extra is not installed, and how it is; `place`: what asked for it; `words`: a whole
+    sentence of its own."""
     if find_spec(module) is not None:
         return None
+    if words is not None:
+        return InputError(0, "", "", words)
     reason = Text("needs the extra `{extra}`: pip install 'contralbero[{extra}]'", extra=extra)
     return InputError(0, place, "", reason)
 

@@ -25,7 +25,8 @@ class FileKind:
     """`module`: of this folder, that makes it.  `endings`: of its files, without the dot, the usual one first; `alone`:
     whether such an ending says by itself that this kind is meant.  `options`: of the command line, that are for this
     kind alone; `rows`: those of them that ask for another file of this kind, which the session offers as a row of its
-    own, with what it is.  `extra`: what has to be installed for it, and the module by which that is seen."""
+    own, with what it is.  `extra`: what has to be installed for it, and the module by which that is seen; `without`:
+    what is said where it is not there, instead of the usual."""
 
     name: str
     module: str
@@ -35,6 +36,7 @@ class FileKind:
     options: tuple[str, ...] = ()
     rows: Mapping[str, Text] = field(default_factory=dict)
     extra: tuple[str, str] | None = None
+    without: Text | None = None
 
     @property
     def works(self) -> "Works":
@@ -124,6 +126,9 @@ KINDS: dict[str, FileKind] = {
             Text("the shafts as solids for CAD"),
             options=("shaft", "wheel", "module", "teeth", "blank", "allowance", "drilled"),
             rows={"module": Text("all shafts and wheels where they stand, as an assembly for CAD")},
+            options=("shaft", "drilled"),
+            extra=("cad", "OCP"),
+            without=Text('a STEP file needs the extra "cad": pip install "contralbero[cad]" (380 MB)'),
         ),
         FileKind("rexs", "rexs", ("rexs",), Text("the train for gear programs, REXS 1.7")),
         FileKind(
@@ -145,7 +150,7 @@ def kind_of(ending: str) -> FileKind | None:
 
 def in_the_way(kind: FileKind, asked: Request) -> InputError | None:
     """Why a kind can not be written: its extra is not installed, or the design lacks something."""
-    lacking = missing(*kind.extra, kind.name) if kind.extra is not None else None
+    lacking = missing(*kind.extra, kind.name, kind.without) if kind.extra is not None else None
     return lacking or kind.works.lacks(asked)
 
 

@@ -3,7 +3,6 @@
 another part than its original; one wheel; or all of them where they stand."""
 
 from collections.abc import Iterator
-from importlib.util import find_spec
 from pathlib import Path
 
 from assistant.exports.drawing import named, no_outline, views
@@ -19,16 +18,13 @@ from calc.gears.inputs import GearsInputs
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import dotted
 from calc.sheet.text import COMMA, Amount, Name, Text
-from reports.step.kernel import MODULE, WrongKernel, step_file
+from reports.step.kernel import WrongKernel, step_file
 from reports.step.module import module_parts
 
-EXTRA = Text('a STEP file needs the extra "cad": pip install "contralbero[cad]" (380 MB)')
 DENSITY = Text("density is not in the file")
 
 
 def lacks(asked: Request) -> InputError | None:
-    if find_spec(MODULE) is None:
-        return InputError(0, "", "", EXTRA)
     design, options = asked.results.design, asked.options
     if options.get("wheel") or (options.get("module") and design.countershaft is None) or options.get("teeth"):
         if design.gears is None:

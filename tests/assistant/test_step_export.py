@@ -3,8 +3,8 @@
 
 import pytest
 
+from assistant import extras
 from assistant.cli import main
-from assistant.exports import step
 from tests.test_export import PLAIN, SECTIONS
 
 WITHOUT = 'a STEP file needs the extra "cad": pip install "contralbero[cad]" (380 MB)'
@@ -37,7 +37,7 @@ def run(tmp_path, capsys):
 
 
 def test_without_the_extra_it_is_said(run, monkeypatch):
-    monkeypatch.setattr(step, "find_spec", lambda module: None)
+    monkeypatch.setattr(extras, "find_spec", lambda module: None)
     code, files, said = run(PLAIN + SECTIONS, "--step")
     assert code == 2 and not files and WITHOUT in said
 
