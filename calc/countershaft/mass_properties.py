@@ -250,6 +250,7 @@ def without_extras(extras: tuple[EccentricMass, ...]) -> Text:
     """That the centre of gravity across the axis and the tensor leave the further elements out."""
     return Text(
         "The further elements ({mass}) count as points in the mass, its place along the shaft and the moment of "
-        "inertia about the axis; the centre of gravity across the axis and the tensor of inertia leave them out.",
+        "inertia about the axis; the centre of gravity across the axis and the tensor of inertia leave them out, "
+        "and so does a STEP file.",
         mass=Amount(sum(extra.mass for extra in extras), "kg", digits=4),
     )

@@ -102,10 +102,7 @@ def shaft_solid(
     if not deviation <= CLOSE:
         raise KernelFault(f"the solid of {name} is off the program's mass properties by {deviation:.1e}")
     if holes:
-        tools = [_drill(hole, frame) for hole in holes]
-        bodies = tuple((body, cut(solid, *tools)) for body, solid in bodies)
-        for body, solid in bodies:
-            demand_valid(solid, body)
+        bodies = tuple((body, _drilled(body, solid, holes, frame)) for body, solid in bodies)
     weights = [_weighed(body, solid, densities[body], bool(holes)) for body, solid in bodies]
     return WeighedPart(
         StepPart(name, bodies), tuple(weights), together(name, weights), undrilled, by_program, deviation, tuple(holes)
@@ -179,9 +176,25 @@ def _bodies(name: str, pieces: Sequence[Piece], apart: bool) -> tuple[tuple[str,
     turned = [(p.start * MM, p.end * MM, _turned_radius(p, apart) * MM) for p in pieces]
     rest = [_profile(run) for run in _runs(turned)]
     if not apart:
-        return ((name, fused(*rest, *(prism(face(_section(p)), p.length * MM) for p in sectors))),)
-    rings = [_ring(p) for p in sectors]
-    return tuple((body, fused(*shapes)) for body, shapes in ((name, rest), (_sectors(name), rings)) if shapes)
+        return ((name, _grown(name, rest, [(p, prism(face(_section(p)), p.length * MM)) for p in sectors])),)
+    rings = _sectors(name), _grown(_sectors(name), [], [(p, _ring(p)) for p in sectors]) if sectors else None
+    return tuple((body, solid) for body, solid in ((name, fused(*rest) if rest else None), rings) if solid is not None)
+
+
+def _grown(name: str, solids: Sequence[Shape], sectors: Sequence[tuple[Piece, Shape]]) -> Shape:
+    """All in one; where it is not valid any more, the sector with which that came is named."""
+    whole = fused(*solids) if solids else None
+    for piece, shape in sectors:
+        whole = shape if whole is None else fused(whole, shape)
+        demand_valid(whole, f"{name} with its sector from {piece.start * MM:g} to {piece.end * MM:g} mm")
+    return whole
+
+
+def _drilled(name: str, solid: Shape, holes: Sequence[Hole], frame: Frame) -> Shape:
+    for hole in holes:
+        solid = cut(solid, _drill(hole, frame))
+        demand_valid(solid, f"{name} with its hole {hole.name}")
+    return solid
 
 
 def _turned_radius(piece: Piece, apart: bool) -> Metre:

@@ -130,6 +130,12 @@ def test_a_solid_that_is_not_what_the_program_weighs_is_a_fault(monkeypatch):
         shaft_solid("a", SHAFTS["pair"], RHO, CLOCKWISE)
 
 
+def test_what_makes_it_invalid_is_named(monkeypatch):
+    monkeypatch.setattr(step, "fused", lambda *shapes: step.face(step.polygon([(0, 0, 0), (1, 0, 0), (1, 0, 3)])))
+    with pytest.raises(KernelFault, match="the solid of a with its sector from -35 to 49 mm"):
+        shaft_solid("a", SHAFTS["pair"], RHO, CLOCKWISE)
+
+
 def test_the_file_is_the_same_each_time_and_says_nothing_of_here():
     made = shaft_solid("left", SHAFTS["pair"], RHO, CLOCKWISE)
     first = file_of(made)
