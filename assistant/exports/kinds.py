@@ -94,39 +94,12 @@ KINDS: dict[str, FileKind] = {
             extra=("dxf", "ezdxf"),
         ),
         FileKind(
-            "csv",
-            "values",
-            ("csv",),
-            Text("the values"),
-            options=("transfer", "map"),
-            rows={
-                "map": Text("the strikes of the gears over speed and load"),
-                "transfer": Text("the transfer functions of the mounts"),
-            },
-        ),
-        FileKind(
-            "balancing",
-            "balancing",
-            ("pdf", "csv"),
-            Text("the sheet for the balancing machine"),
-            alone=False,
-        ),
-        FileKind("json", "results", ("json",), Text("all results")),
-        FileKind(
-            "xlsx",
-            "spreadsheet",
-            ("xlsx",),
-            Text("a workbook: inputs, results, checks, tables"),
-            extra=("xlsx", "xlsxwriter"),
-        ),
-        FileKind(
             "step",
             "step",
             ("step", "stp"),
             Text("the shafts as solids for CAD"),
             options=("shaft", "wheel", "module", "teeth", "blank", "allowance", "drilled"),
             rows={"module": Text("all shafts and wheels where they stand, as an assembly for CAD")},
-            options=("shaft", "drilled"),
             extra=("cad", "OCP"),
             without=Text('a STEP file needs the extra "cad": pip install "contralbero[cad]" (380 MB)'),
         ),
@@ -139,6 +112,32 @@ KINDS: dict[str, FileKind] = {
             alone=False,
             options=("speeds", "variant"),
         ),
+        FileKind(
+            "balancing",
+            "balancing",
+            ("pdf", "csv"),
+            Text("the sheet for the balancing machine"),
+            alone=False,
+        ),
+        FileKind(
+            "xlsx",
+            "spreadsheet",
+            ("xlsx",),
+            Text("a workbook: inputs, results, checks, tables"),
+            extra=("xlsx", "xlsxwriter"),
+        ),
+        FileKind(
+            "csv",
+            "values",
+            ("csv",),
+            Text("the values"),
+            options=("transfer", "map"),
+            rows={
+                "map": Text("the strikes of the gears over speed and load"),
+                "transfer": Text("the transfer functions of the mounts"),
+            },
+        ),
+        FileKind("json", "results", ("json",), Text("all results")),
     )
 }
 
