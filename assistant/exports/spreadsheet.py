@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A workbook: inputs, results, checks and tables of a design, for spreadsheet programs."""
+"""A workbook: inputs, results, checks, tables, loads, runs and balancing of a design, for spreadsheet programs."""
 
 from assistant.exports.kinds import Made, Request
+from assistant.exports.loads import lacks as without_loads
 from calc.exchange.frame import date_of
+from calc.exchange.loads import default_speeds, loads
 from calc.exchange.workbook import workbook
 from calc.locale import language
 from reports.spreadsheet import workbook_bytes
@@ -13,5 +15,7 @@ def lacks(asked: Request) -> None:
 
 
 def made(asked: Request) -> Made:
-    sheets = workbook(asked.document, asked.results)
-    return Made({asked.path: workbook_bytes(sheets, date_of(asked.results.design), language(asked.lang))})
+    results = asked.results
+    found = None if without_loads(asked) is not None else loads(results, default_speeds(results.design))
+    sheets = workbook(asked.document, results, found)
+    return Made({asked.path: workbook_bytes(sheets, date_of(results.design), language(asked.lang))})

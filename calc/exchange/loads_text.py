@@ -83,16 +83,17 @@ def csv_text(loads: Loads, design: str, sha256: str, say: Say = str) -> str:
             file.write(f"# {key}: {line}\n")
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(COLUMNS)
-    writer.writerows(_cells(row) for row in loads.rows)
+    writer.writerows(cells(row) for row in loads.rows)
     return file.getvalue()
 
 
-def _cells(row: LoadRow) -> list[str]:
-    cells = [_rpm(row), row.kind, row.place, row.on, number(row.order)]
-    cells += ["" if part is None else number(part * 1e3) for part in row.at]
+def cells(row: LoadRow) -> list[str]:
+    """What stands in the columns, numbers as texts that read back."""
+    found = [_rpm(row), row.kind, row.place, row.on, number(row.order)]
+    found += ["" if part is None else number(part * 1e3) for part in row.at]
     for part in (*row.force, *row.moment):
-        cells += amplitude_and_phase(part, row.order)
-    return cells
+        found += amplitude_and_phase(part, row.order)
+    return found
 
 
 def amplitude_and_phase(phasor: complex, order: float) -> tuple[str, str]:

@@ -2,23 +2,28 @@
 """What a workbook has of a design: its summary, inputs, values, checks and tables, a sheet each, as tables of numbers
 and texts.  Numbers stand in their shown unit and in full; nothing is a formula, which would not be the program's."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from ..design.addresses import value_at
 from ..design.model import TITLES as STEP_TITLES
 from ..sheet.check import Check
-from ..sheet.quantity import Quantity, given
+from ..sheet.quantity import Published, Quantity, given
 from ..sheet.record import record
 from ..sheet.step import Table
 from ..sheet.text import Name, Text
 from ..sheet.verdict import TITLES
 from ..sheet.version import VERSION
+from .loads_text import COLUMNS, cells
 
 if TYPE_CHECKING:
     from ..design.toml_file import Document
     from ..solve import Results
+    from .loads import Loads
 
 Cell = str | float | None
+APART = {"measured": "Measurements", "hole_depths": "Balancing"}  # tables of steps on a sheet of their own
+WORDED = range(1, 4)  # columns of the loads that hold words
 VERDICTS = TITLES | {"note": Text("note"), "accepted": Text("accepted")}
 
 
@@ -30,16 +35,38 @@ class Sheet:
     tables: tuple[Table, ...]
 
 
-def workbook(document: "Document", results: "Results") -> tuple[Sheet, ...]:
-    """The sheets of a solved design, in their order; those of which it has nothing are left out."""
+def workbook(document: "Document", results: "Results", found: "Loads | None" = None) -> tuple[Sheet, ...]:
+    """The sheets of a solved design, in their order; those without a row are left out.  `found`: its loads."""
+    by_page: dict[str, list[Table]] = {"Tables": [], "Measurements": [], "Balancing": [_balancing(results)]}
+    for outcome in results.outcomes.values():
+        for table in outcome.whole.tables:
+            by_page[APART.get(table.id.rpartition(".")[2], "Tables")].append(table)
+    by_page["Measurements"] += [column.table for column in results.runs.columns] if results.runs is not None else []
     pages = (
         Sheet(Text("Summary"), (_design(document, results), _verdicts(results))),
         Sheet(Text("Inputs"), (_inputs(document, results),)),
-        Sheet(Text("Results"), (_values(results),)),
+        Sheet(Text("Results"), (_values("values", Text("Results"), results.values()),)),
         Sheet(Text("Checks"), (_checks(results),)),
-        Sheet(Text("Tables"), tuple(table for outcome in results.outcomes.values() for table in outcome.whole.tables)),
+        Sheet(Text("Tables"), tuple(by_page["Tables"])),
+        Sheet(Text("Loads"), (_loads(found),) if found is not None else ()),
+        Sheet(Text("Measurements"), tuple(by_page["Measurements"])),
+        Sheet(Text("Balancing"), tuple(by_page["Balancing"])),
     )
     return tuple(page for page in pages if any(table.rows for table in page.tables))
+
+
+def _loads(found: "Loads") -> Table:
+    """As the CSV of the loads has them: numbers as numbers, an empty cell where there is none."""
+    rows = tuple(
+        tuple(Name(cell) if n in WORDED else float(cell) if cell else None for n, cell in enumerate(cells(row)))
+        for row in found.rows
+    )
+    return _table("loads", Text("Loads"), tuple((Name(name), "") for name in COLUMNS), rows)
+
+
+def _balancing(results: "Results") -> Table:
+    values = {id: value for id, value in results.values().items() if ".balancing." in id}
+    return _values("balancing", Text("Balancing"), values)
 
 
 def _design(document: "Document", results: "Results") -> Table:
@@ -92,13 +119,13 @@ def _written(about: Quantity, element: object) -> str:
     return repr(about.units.shown(element)) if isinstance(element, float) else str(element)
 
 
-def _values(results: "Results") -> Table:
+def _values(id: str, title: Text, values: Mapping[str, Published]) -> Table:
     columns = ((Text("Id"), ""), (Text("Value"), ""), (Text("Unit"), ""), (Text("Symbol"), ""), (Text("Label"), ""))
     rows = tuple(
-        (Name(id), value.shown, Name(value.unit) or None, Name(value.symbol) or None, value.label)
-        for id, value in results.values().items()
+        (Name(name), value.shown, Name(value.unit) or None, Name(value.symbol) or None, value.label)
+        for name, value in values.items()
     )
-    return _table("values", Text("Results"), columns, rows)
+    return _table(id, title, columns, rows)
 
 
 def _checks(results: "Results") -> Table:

@@ -56,7 +56,7 @@ def _unmade(runs: list[str], inputs: int) -> Text:
 
 
 def _table(fit: DesignFit) -> Table:
-    rows = []
+    rows: list[tuple[str | float | None, ...]] = []
     for i, name in enumerate(fit.names):
         value, (low, high) = fit.applied(i), map(float, fit.result.limits[i])
         if i in fit.result.at_bound:

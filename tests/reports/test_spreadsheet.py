@@ -13,6 +13,7 @@ import pytest
 from assistant.exports.kinds import Request
 from assistant.exports.spreadsheet import made
 from calc.design.toml_file import design, parse
+from calc.exchange.loads import loads
 from calc.exchange.workbook import Sheet, workbook
 from calc.locale import language
 from calc.sheet.step import Table
@@ -98,3 +99,15 @@ def test_what_begins_like_a_formula_is_a_text_and_no_number_is_empty():
 
 def test_only_sheets_that_have_something(pair):
     assert all(any(table.rows for table in page.tables) for page in workbook(*pair))
+
+
+def test_loads_and_balancing_stand_on_sheets_of_their_own():
+    path = DESIGNS / "r754ie4_balance_shafts.toml"
+    document = parse(path.read_bytes(), str(path))
+    results = solve(design(document))
+    found = loads(results, [results.design.engine.rated_speed])
+    book = {page.title: page for page in workbook(document, results, found)}
+    assert {"Loads", "Balancing"} <= book.keys() and "Measurements" not in book
+    (table,) = book["Loads"].tables
+    assert len(table.rows) == len(found.rows) and all(isinstance(row[0], float) for row in table.rows)
+    assert all(".balancing." in row[0] for row in book["Balancing"].tables[0].rows)
