@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from calc.countershaft.balancing import hole as h
 from calc.countershaft.outline import Piece, outline
 from calc.exchange.frame import Frame
 from tests.calc.countershaft.shafts import drawn_shaft
@@ -121,6 +122,17 @@ def test_holes_are_drilled_to_their_depth_with_the_cone():
     assert math.degrees(math.atan2(where[1], where[0])) == pytest.approx(-200 + 360) and where[2] == pytest.approx(10)
     flat = shaft_solid("a", shape, RHO, Frame(-1), [Hole(*(*vars(hole).values(),)[:-1], math.pi)])
     assert made.whole.volume < flat.whole.volume
+
+
+def test_what_the_drill_takes_is_what_the_balancing_sheet_says():
+    R, a, depth, point = 0.0405, 0.007, 0.02, math.radians(118)
+    hole = Hole("a-1", 0.01, math.radians(200), R, 2 * a, depth, point)
+    made = shaft_solid("a", row((20, 14), (80, 40.5, 15, 90, 210), (20, 14)), RHO, CLOCKWISE, [hole])
+    shape = dict(rho=RHO, a=a, q=h.bottom_radius(R=R, h=depth), l=h.cone_length(a=a, theta=point))
+    taken = made.undrilled.mass - made.whole.mass
+    assert taken == pytest.approx(h.hole_mass(R_m=h.mean_surface(R=R, a=a), **shape), rel=1e-7)
+    lost = made.undrilled.mass * made.undrilled.centre - made.whole.mass * made.whole.centre
+    assert math.hypot(*lost[:2]) * 1e-3 == pytest.approx(h.hole_unbalance(R=R, **shape), rel=1e-7)
 
 
 def test_a_solid_that_is_not_what_the_program_weighs_is_a_fault(monkeypatch):
