@@ -12,7 +12,7 @@ from calc.countershaft.balancing.solve import drills
 from calc.countershaft.outline import Outline
 from calc.countershaft.twins import Resolved
 from calc.exchange.frame import frame_of
-from calc.exchange.places import WheelPlace, wheel_places, wheel_planes
+from calc.exchange.places import WheelPlace, planes_of, wheel_places
 from calc.gears.profile.outline import shifts
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Amount, Name, Text
@@ -41,7 +41,7 @@ class Solids:
 
     @cached_property
     def planes(self) -> dict[str, Metre]:
-        return wheel_planes(self.results)
+        return planes_of(self.results)
 
     # --- wheels
 

@@ -15,6 +15,7 @@ from ..sheet.units import Metre, Radian
 from ..sheet.value import recorded
 from ..solve import Results
 from .frame import frame_of
+from .planes import wheel_planes
 
 HANDS = {"right": 1, "left": -1, "": 0}  # of a helix, by how it turns about +Z along it
 
@@ -46,7 +47,7 @@ def wheel_places(results: Results) -> dict[str, WheelPlace]:
     if train is None or gears is None or train.layout is None:
         return {}
     axes = {name: wheel.position for name, wheel in train.layout.wheels.items() if wheel.position is not None}
-    planes, teeth, hands = wheel_planes(results), _teeth(train, gears, axes), gears.hands()
+    planes, teeth, hands = planes_of(results), _teeth(train, gears, axes), gears.hands()
     first = planes.get(train.tree.first, next(iter(planes.values()), 0.0))
     places = {}
     for name, axis in axes.items():
@@ -77,22 +78,14 @@ def _teeth(train: TrainResult, gears: GearsInputs, axes: Mapping[str, complex]) 
     return {name: known.get(name, found.get(name, 0.0)) or 0.0 for name in axes}
 
 
-def wheel_planes(results: Results) -> dict[str, Metre]:
-    """Where along the crank the middle of each wheel stands: its shaft's, else that of a wheel in mesh with it, else of
-    the first one that is known, else mid-engine."""
+def planes_of(results: Results) -> dict[str, Metre]:
+    """Where along the crank the middle of each wheel stands; at mid-engine where that is known of none."""
     train = results.train
     if train is None:
         return {}
-    z: dict[str, Metre] = {}
-    named = {shaft.name for shaft in results.design.resolved}
-    for name, turn in train.shafts.items():
-        shaft = results.view(name).shaft if name in named else None
-        if shaft is not None and shaft.wheel is not None:
-            z.setdefault(turn.wheel, shaft.wheel)
-    meshes = [(mesh.driver, mesh.driven) for mesh in train.meshes.values()]
-    for driver, driven in meshes * len(meshes):
-        for known, other in ((driver, driven), (driven, driver)):
-            if known in z:
-                z.setdefault(other, z[known])
-    rest = next(iter(z.values()), 0.0)
-    return {name: z.get(name, rest) for name in train.wheels}
+    on_shafts = {}
+    for shaft in results.design.resolved:
+        solved, turn = results.view(shaft.name).shaft, train.shafts.get(shaft.name)
+        if turn is not None and solved is not None and solved.wheel is not None:
+            on_shafts[turn.wheel] = solved.wheel
+    return wheel_planes(results.design, train, on_shafts) or dict.fromkeys(train.wheels, 0.0)

@@ -8,7 +8,8 @@ import pytest
 
 from calc.design.toml_file import load_design
 from calc.exchange.frame import Frame
-from calc.exchange.places import HANDS, helix, shaft_axes, wheel_places, wheel_planes
+from calc.exchange.places import HANDS, helix, planes_of, shaft_axes, wheel_places
+from calc.sheet.record import replace
 from calc.solve import solve
 from tests.conftest import ROOT
 
@@ -63,9 +64,21 @@ def test_axes_of_shafts_are_given_or_those_of_their_wheels():
 
 
 def test_wheels_stand_in_the_plane_of_the_shafts_wheel():
-    assert set(wheel_planes(drive()).values()) == {drive().shaft.wheel}
-    assert set(wheel_planes(placeless())) == set(placeless().train.wheels)
+    assert set(planes_of(drive()).values()) == {drive().shaft.wheel}
+    assert set(planes_of(placeless())) == set(placeless().train.wheels)
 
 
 def test_a_train_of_no_known_place_has_none():
     assert wheel_places(placeless()) == {}
+
+
+def test_a_wheel_in_another_plane_still_meshes():
+    """Its helix has turned until there: tooth in gap where their faces meet."""
+    results = drive()
+    gears = results.design.gears
+    wheels = tuple(replace(one, z=-0.19 if one.name == "idler" else None) for one in gears.wheels)
+    moved = replace(results, design=replace(results.design, gears=replace(gears, wheels=wheels)))
+    places = wheel_places(moved)
+    assert places["idler"].z == -0.19 and places["shaft"].z == results.shaft.wheel
+    for mesh in moved.train.meshes.values():
+        assert in_gap(moved, mesh, 0.003) == pytest.approx(0.0, abs=1e-9)
