@@ -16,7 +16,7 @@ from ..measurements.units import conversion
 from ..mounting.at_speeds import MEASURED, AtMeasuredSpeed, unit_of
 from ..sheet.arrays import Array
 from ..sheet.inputs_at import content_at, with_content
-from ..sheet.quantity import dotted
+from ..sheet.quantity import Published, dotted
 from ..sheet.record import record, replace
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.value import recorded
@@ -189,11 +189,13 @@ class _Sheet:
 
     def __init__(self, design: Design, solve: Solve, solved: Solved) -> None:
         self.design = replace(design, measured=(), measurements=(), runs=())
-        self.solve, self._solved, self.before = solve, solved, None
+        self.solve, self._solved = solve, solved
+        self.before: Solved = None  # of the node before, of which unchanged parts are taken over
+        self._at_nodes: dict[object, tuple[Design, Mapping[str, Published]]] = {}
 
     def solved(self) -> Solved:
         if self._solved is None:
-            self._solved = self._solve(self.design)
+            self._solved = self._solve(self.design, compared=True)
         return self._solved
 
     def _solve(self, design: Design, compared: bool = False) -> Solved:
@@ -204,40 +206,53 @@ class _Sheet:
     def _made(self) -> Any:
         """The values of which clearances are taken that are given as a factor; else none are needed."""
         rows = [row for view in self.design.views.values() for row in view.rows]
-        return self.solved().values() if any(row.clearance_factor is not None for row in rows) else {}
+        if all(row.clearance_factor is None for row in rows):
+            return {}
+        return (self._solve(self.design) if self._solved is None else self._solved).values()
 
     def at(self, nodes: Nodes, i: int, wanted: Sequence[tuple[str, ...]]) -> list[float]:
+        """What the design gives of these values at a node."""
         conditions = {key: float(numbers[i]) for key, numbers in nodes.conditions.items()}
-        speed = float(nodes.speed[i])
-        design = at_speed(self.design, speed, self._made)
-        for key, number in conditions.items():
-            design = with_content(design, key, number)
-        ids = {id for value in wanted for id in value}
-        solved = None
-        if any(not id.startswith(MEASURED) for id in ids):
-            solved = self.before = self._solve(design)
-            # what other methods give beside those that judge
-            if any(id not in solved.values() and id in (self._solved or solved).values() for id in ids):
-                solved = self._solve(design, compared=True)
-        mounting = None
-        if any(id.startswith(MEASURED) for id in ids):
-            whole = self.solved()
-            if conditions:
-                there = self.design
-                for key, number in conditions.items():
-                    there = with_content(there, key, number)
-                whole = self._solve(there)
-            result = whole.outcomes["mounting"].result
-            mounting = AtMeasuredSpeed(result, speed) if result is not None else None
+        speed, ids = float(nodes.speed[i]), {id for value in wanted for id in value}
+        felt = {id for id in ids if id.startswith(MEASURED)}
+        numbers = self._felt(speed, conditions, felt) if felt else {}
+        if ids - felt:
+            numbers |= self._found(speed, conditions, ids - felt)
+        return [float(sum(numbers[id] for id in value)) for value in wanted]
 
-        def number_of(id: str) -> float:
-            if id.startswith(MEASURED):
-                found = mounting.value(id) if mounting is not None else None
-                return np.nan if found is None else found
-            assert solved is not None
-            if (there := solved.values().get(id)) is not None:
+    def _found(self, speed: float, conditions: Mapping[str, float], ids: set[str]) -> dict[str, float]:
+        """Of the design at that speed; two runs of one speed have one solve."""
+        node = speed, tuple(sorted(conditions.items()))
+        if node not in self._at_nodes:
+            design = _under(at_speed(self.design, speed, self._made), conditions)
+            self.before = self._solve(design)
+            self._at_nodes[node] = design, self.before.values()
+        design, values = self._at_nodes[node]
+        # what other methods give beside those that judge
+        if any(id not in values and id in self.solved().values() for id in ids):
+            values = self._solve(design, compared=True).values()
+            self._at_nodes[node] = design, values
+
+        def number(id: str) -> float:
+            if (there := values.get(id)) is not None:
                 return float(there.shown)
             content, about = content_at(design, id)
             return about.units.shown(content) if about is not None and isinstance(content, (int, float)) else np.nan
 
-        return [float(sum(map(number_of, value))) for value in wanted]
+        return {id: number(id) for id in ids}
+
+    def _felt(self, speed: float, conditions: Mapping[str, float], ids: set[str]) -> dict[str, float]:
+        """What mounts and points feel at that speed."""
+        whole = self._solve(_under(self.design, conditions)) if conditions else self.solved()
+        result = whole.outcomes["mounting"].result
+        if result is None:
+            return dict.fromkeys(ids, np.nan)
+        there = AtMeasuredSpeed(result, speed)
+        return {id: np.nan if (x := there.value(id)) is None else x for id in ids}
+
+
+def _under(design: Design, conditions: Mapping[str, float]) -> Design:
+    """A design with what inputs were on the bench, in SI."""
+    for key, number in conditions.items():
+        design = with_content(design, key, number)
+    return design
