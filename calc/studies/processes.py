@@ -14,40 +14,44 @@ from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ProcessP
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, redirect_stderr
 from importlib import import_module
+from itertools import islice
 from multiprocessing import get_context, resource_tracker
 from multiprocessing.connection import Connection
 from typing import Any, TypeVar
 
 from ..sheet.errors import NoSolution
 from ..sheet.text import Text
+from ..sheet.version import VERSION
 
 A = TypeVar("A")
 R = TypeVar("R")
 LOSSES = 2  # of the workers that a piece may cost
 MOMENT = 0.2  # s, from one pulse to the next
 ANSWER = 10  # s, until which a scheduler must be there
+AHEAD, ABROAD = 4, 1000  # pieces on their way: for each process, and to a scheduler, however many wait
 
 
 def spread(
-    work: Callable[[A, int], R],
-    what: A,
+    work: Callable[[A], R],
+    piece: Callable[[int], A],
     waiting: Sequence[int],
     processes: int = 1,
     scheduler: str = "",
     pulse: Callable[[], None] | None = None,
 ) -> Iterator[tuple[int, R]]:
-    """`work(what, n)` for every number that waits, begun in that order, each as it is done.  `scheduler`: the address
-    of a dask one.  `pulse` is called every moment while processes are waited for, and ends them by what it raises."""
+    """`work(piece(n))` for every number that waits, begun in that order, each as it is done; `piece(n)` travels to the
+    worker that has it.  `scheduler`: the address of a dask one.  `pulse` is called every moment while processes are
+    waited for, and ends them by what it raises."""
     if scheduler:
-        return _farmed(work, what, waiting, scheduler)
+        return _farmed(work, piece, waiting, scheduler)
     if processes <= 1 or len(waiting) <= 1:
-        return ((n, work(what, n)) for n in waiting)
-    return _parallel(work, what, waiting, processes, pulse)
+        return ((n, work(piece(n))) for n in waiting)
+    return _parallel(work, piece, waiting, processes, pulse)
 
 
 def _parallel(
-    work: Callable[[A, int], R],
-    what: A,
+    work: Callable[[A], R],
+    piece: Callable[[int], A],
     waiting: Sequence[int],
     processes: int,
     pulse: Callable[[], None] | None,
@@ -62,12 +66,16 @@ def _parallel(
         ending, held = context.Pipe(duplex=False)
         pool = ProcessPoolExecutor(min(processes, len(left)), context, _begin, (ending,))
         running: dict[Future[R], int] = {}
+        coming = (n for n in waiting if n in left)
         try:
-            with _undisturbed():
-                running = {pool.submit(work, what, n): n for n in waiting if n in left}
-            pending = set(running)
-            while pending:
-                finished, pending = wait(pending, MOMENT if pulse is not None else None, FIRST_COMPLETED)
+            while True:
+                with _undisturbed():
+                    running |= {
+                        pool.submit(work, piece(n)): n for n in islice(coming, AHEAD * processes - len(running))
+                    }
+                if not running:
+                    break
+                finished, _ = wait(running, MOMENT if pulse is not None else None, FIRST_COMPLETED)
                 if pulse is not None:
                     pulse()
                 for future in finished:
@@ -76,7 +84,7 @@ def _parallel(
                     left.discard(n)
                     yield n, result
         except BrokenProcessPool:
-            for n in left:
+            for n in left.intersection(running.values()) or left:
                 lost[n] += 1
             if max(lost[n] for n in left) > LOSSES:
                 raise
@@ -110,7 +118,9 @@ def _end_with(ending: Connection) -> None:
     os.kill(os.getpid(), signal.SIGTERM)
 
 
-def _farmed(work: Callable[[A, int], R], what: A, waiting: Sequence[int], address: str) -> Iterator[tuple[int, R]]:
+def _farmed(
+    work: Callable[[A], R], piece: Callable[[int], A], waiting: Sequence[int], address: str
+) -> Iterator[tuple[int, R]]:
     """Results come back; no file need be shared."""
     try:
         dask: Any = import_module("distributed")
@@ -123,12 +133,37 @@ def _farmed(work: Callable[[A, int], R], what: A, waiting: Sequence[int], addres
         none = Text("no scheduler answers at {address}", address=address)
         raise NoSolution(none, Text("{why}", why=str(error))) from None
     with client:
-        futures = {client.submit(work, what, n, retries=LOSSES, pure=False): n for n in waiting}
-        for future in dask.as_completed(list(futures)):
+        coming = iter(waiting)
+
+        def submitted(count: int) -> dict[Any, int]:
+            return {
+                client.submit(_abroad, VERSION, work, piece(n), retries=LOSSES, pure=False): n
+                for n in islice(coming, count)
+            }
+
+        running = submitted(ABROAD)
+        done = dask.as_completed(list(running))
+        for future in done:
             try:
                 result = future.result()
             except (CancelledError, dask.KilledWorker) as error:
                 lost = Text("the scheduler at {address}, or too many of its workers, went away", address=address)
                 why, then = str(error).split("\n")[0], Text("the same command goes on from what is done")
                 raise NoSolution(lost, Text("{why}", why=why), then) from None
-            yield futures.pop(future), result
+            except ImportError as error:
+                missing = Text("a worker of the scheduler at {address} does not have this program", address=address)
+                raise NoSolution(missing, Text("{why}", why=str(error))) from None
+            n = running.pop(future)
+            more = submitted(1)
+            running |= more
+            done.update(more)
+            yield n, result
+
+
+def _abroad(version: str, work: Callable[[A], R], piece: A) -> R:
+    """On a worker, whose program may be another."""
+    if version != VERSION:
+        raise NoSolution(
+            Text("a worker has version {theirs} of this program, not {ours}", theirs=VERSION, ours=version)
+        )
+    return work(piece)

@@ -9,6 +9,7 @@ offered depends on the problem alone."""
 import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -120,7 +121,7 @@ def classes(
             yield n, known
         else:
             waiting.append(n)
-    for n, class_front in spread(one_class, problem, waiting, processes, scheduler, pulse):
+    for n, class_front in spread(partial(one_class, problem), int, waiting, processes, scheduler, pulse):
         _keep(problem, n, class_front, parts)
         yield n, class_front
 

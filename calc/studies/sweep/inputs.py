@@ -266,6 +266,11 @@ class SweepPlan:
         shares = [_shares(self.way, self.count, self.seed, n)[start:stop].tolist() for n in range(len(self.inputs))]
         return [tuple(_drawn(variable, share) for variable, share in zip(self.inputs, row)) for row in zip(*shares)]
 
+    def part(self, start: int, stop: int) -> "SweepPlan":
+        """Those from one place up to another as a list, whose inputs have no values of their own."""
+        rows = tuple(self.rows(start, stop))
+        return SweepPlan("list", tuple(Varied(variable.key) for variable in self.inputs), len(rows), combinations=rows)
+
     def _of_grid(self, n: int) -> Combination:
         """Every combination, the last input changing fastest."""
         values: list[Value] = []

@@ -33,6 +33,10 @@ class Sweep:
     step: str | None = None
     wanted: tuple[str, ...] = ()
 
+    def piece(self, n: int) -> "Sweep":
+        """The designs of one chunk, without all the others: it may go far."""
+        return replace(self, plan=self.plan.part(n * SIZE, (n + 1) * SIZE))
+
 
 def swept(asked: Sweep, store: Store, progress: Told | None = None, processes: int = 1, scheduler: str = "") -> None:
     """Fill the store with every chunk that it does not have.  Raises BadInput where a step or a value is asked for that
@@ -45,7 +49,7 @@ def swept(asked: Sweep, store: Store, progress: Told | None = None, processes: i
         progress(done)
     if asked.plan.count < WORTH:
         processes = 1
-    for n, piece in spread(chunk, asked, waiting, processes, scheduler):
+    for n, piece in spread(chunk, asked.piece, waiting, processes, scheduler):
         store.keep(n, piece)
         done += len(piece.rows)
         if progress is not None:
@@ -60,12 +64,12 @@ def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None,
     return in_memory(document, asked.plan.inputs, store)
 
 
-def chunk(asked: Sweep, n: int) -> Chunk:
+def chunk(piece: Sweep) -> Chunk:
     """The designs of one chunk."""
-    at = asked.plan.rows(n * SIZE, (n + 1) * SIZE)
+    at = piece.plan.combinations
     with recorded(False):
-        rows = solved(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted))
-        return chunk_of(at, rows, asked.wanted)
+        rows = solved(piece.document, piece.plan.inputs, at, piece.step, frozenset(piece.wanted))
+        return chunk_of(at, rows, piece.wanted)
 
 
 def solved(

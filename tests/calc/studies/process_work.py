@@ -3,6 +3,8 @@
 import os
 import time
 
+from calc.studies import processes
+
 
 def slow(seconds: float, n: int) -> tuple[int, int]:
     time.sleep(seconds)
@@ -21,3 +23,11 @@ def once(folder: str, n: int) -> int:
         open(mark, "w").close()
         os._exit(1)
     return n
+
+
+def of_another_version(n: int) -> int:
+    return processes._abroad("0.0.1", abs, n)
+
+
+def not_there(n: int) -> int:
+    raise ModuleNotFoundError("No module named 'calc'")

@@ -1,11 +1,14 @@
 """What a sweep computes: grids, lists, hypercubes and tolerances, each design known by its place alone."""
 
+import pickle
+
 import numpy as np
 import pytest
 
 from calc.design.toml_file import read
 from calc.sheet.errors import BadInput
-from calc.studies.sweep import grid, listed, sampled, toleranced, varied
+from calc.studies.sweep import Sweep, grid, listed, sampled, toleranced, varied
+from calc.studies.sweep.run import SIZE
 from tests.conftest import GAMMA as FILE
 
 GAMMA = read(FILE)
@@ -121,3 +124,12 @@ def test_no_more_designs_than_a_machine_can_do():
         grid(inputs)
     with pytest.raises(BadInput, match="1 or more"):
         sampled(varied(GAMMA, ["engine.bore_mm=80:90"], drawn=True), 0, hypercube=True)
+
+
+def test_a_piece_of_a_sweep_is_without_all_other_designs() -> None:
+    """It travels to whoever computes it."""
+    inputs = varied(GAMMA, ["engine.rated_speed_rpm=1000:3000:1000", "engine.bore_mm=80:99:50"])
+    asked = Sweep(GAMMA, grid(inputs))
+    piece = asked.piece(7)
+    assert piece.plan.rows(0, SIZE) == asked.plan.rows(7 * SIZE, 8 * SIZE) and piece.plan.count == SIZE
+    assert len(pickle.dumps(piece)) < len(pickle.dumps(GAMMA)) + 100 * SIZE < len(pickle.dumps(asked))
