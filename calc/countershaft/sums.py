@@ -12,6 +12,7 @@ from typing import Any, Self
 from ..imbalance import formulas as v
 from ..imbalance.shaft_pair import roll_amplitude, roll_backward, roll_forward, roll_phase, roll_together, rolls_joined
 from ..sheet.arrays import Array
+from ..sheet.errors import BadInput, InputError
 from ..sheet.formula import formula
 from ..sheet.functions import conj, largest
 from ..sheet.quantity import group, result, value
@@ -214,9 +215,20 @@ class SystemResult(Shown):
 
 
 def together(engine: Mapping[int, OrderVectors], shafts: Sequence[SystemShaft]) -> SystemResult:
-    """What all shafts leave of the engine's vectors [N, N·m] (by order; those at which a shaft turns are needed).
+    """What all shafts leave of the engine's vectors: forces [N], couples about mid-engine and roll [N·m].
 
-    The torque reaction of the engine is that of its inertia, the gas torque is not in it."""
+    `engine`: vectors by order, 1 and 2; those at which a shaft turns are needed.  All are complex or real, their
+    angle that with cylinder 1 at top dead centre, positive in the sense of crank rotation.  `shafts`: one to four, each
+    of a ratio of ±1 or ±2.  The torque reaction of the engine is that of its inertia, the gas torque is not in it.
+
+    Raises BadInput where a shaft has another ratio, or the engine has no vectors of its order."""
+    wrong = [
+        InputError(0, f"shafts[{n}].ratio", f"{shaft.ratio}", Text("must be ±1 or ±2, an order that `engine` has"))
+        for n, shaft in enumerate(shafts)
+        if abs(shaft.ratio) not in (1, 2) or shaft.order not in engine
+    ]
+    if wrong:
+        raise BadInput("together", wrong)
     peaks: dict[str, Any] = {}
     parts: dict[str, OrderLeft] = {}
     vectors: dict[int, OrderVectors] = {}

@@ -30,7 +30,7 @@ from . import models
 from .inputs import FrictionInputs
 from .journals import NO_LOADS, Journals, OnShaft
 from .losses import sums
-from .losses.turning_masses import MassLoss, Sectors, dip_loss_most, mass_loss, sectors_of
+from .losses.turning_masses import MassLoss, Sectors, dip_loss_most, sectors_loss, sectors_of
 from .losses.wheels import WheelResult, carrying, has_bearings, unloaded
 from .mesh.film import Oil, oil_at
 from .mesh.geometry import Link, MeshGeometry, StageGeometry, column, require
@@ -420,7 +420,7 @@ def masses_of(friction: FrictionInputs, ends: Ends) -> dict[str, MassLoss]:
             continue
         with about(Text("turning masses of shaft {name}", name=name)):
             sizes, omega, rho = (s.lengths, s.outer_radii, s.core_radii), column(s.omega), column(friction.mist_density)
-            masses[name] = mass_loss(*sizes, omega, rho, shell_gap=s.shell_gap)
+            masses[name] = sectors_loss(*sizes, omega, rho, shell_gap=s.shell_gap)
     return masses
 
 

@@ -4,9 +4,12 @@
 Numbers are in SI there, arrays element by element.  What a file's key keeps apart is told by its range: millimetres
 for metres, kelvin for °C, bar for Pa."""
 
-import math
+import cmath
+import sys
 from collections.abc import Iterator, Mapping
-from typing import Any, TypeVar
+from typing import Any, TypeGuard, TypeVar
+
+import numpy as np
 
 from .errors import BadInput, InputError, written
 from .quantity import Key, Quantity, keys, unknown
@@ -16,6 +19,7 @@ from .text import EMPTY, SPACE, Amount, Text
 T = TypeVar("T")
 ZERO_CELSIUS = 273.15
 FAR = 100.0  # how many times outside of what is usual a number lies that is taken for one of another unit
+REAL = "iuf"  # kinds of arrays of numbers
 NUMBERS = ("number", "integer", "series", "integers")
 
 
@@ -23,6 +27,27 @@ def check_arguments(call: str, **arguments: tuple[object, object]) -> None:
     """Raises BadInput where an argument is not what its input allows: each by its name, as (the declared input, what
     is given); None is left out."""
     _raise(call, (error for name, (key, given) in arguments.items() for error in _of_input(name, key, given)))
+
+
+def demand_numbers(call: str, **given: object) -> None:
+    """The same of numbers for which a file has no key: finite, real or complex, and no arrays; None is left out."""
+    needs = Text("must be a finite number")
+    _raise(
+        call,
+        (
+            InputError(0, name, _as_given(number), needs)
+            for name, number in given.items()
+            if not (number is None or (isinstance(number, complex) and cmath.isfinite(number)) or _is_finite(number))
+        ),
+    )
+
+
+def demand_one_length(call: str, **given: Any) -> None:
+    """Raises BadInput where some are arrays, but not of one length."""
+    shapes = {name: np.shape(number) for name, number in given.items() if np.ndim(number)}
+    needs = Text("must be numbers, or arrays of one length")
+    wrong = len(set(shapes.values())) > 1 or any(len(shape) > 1 for shape in shapes.values())
+    _raise(call, (InputError(0, name, f"shape {shape}", needs) for name, shape in shapes.items() if wrong))
 
 
 NONE_VARIED: Mapping[str, object] = {}
@@ -41,8 +66,8 @@ def given_inputs(call: str, inputs: T, varied: Mapping[str, object] = NONE_VARIE
 
 def named(call: str, argument: str, name: str, known: Mapping[str, T]) -> T:
     """What a catalogue has under a name."""
-    if name not in known:
-        raise BadInput(call, [InputError(0, argument, written(name), unknown(name, list(known)))])
+    if not isinstance(name, str) or name not in known:
+        raise BadInput(call, [InputError(0, argument, written(name), unknown(str(name), list(known)))])
     return known[name]
 
 
@@ -89,7 +114,9 @@ def _of_input(name: str, key: object, given: object) -> Iterator[InputError]:
 
 def _worst(given: Any) -> Iterator[tuple[str, object]]:
     """(its place in what is given, a number) for each that may be the one that is refused: of an array its ends."""
-    if getattr(given, "ndim", 0):
+    if getattr(given, "ndim", 0) and given.dtype.kind not in REAL:
+        yield "", given
+    elif getattr(given, "ndim", 0):
         flat = given.ravel()
         at = {int(flat.argmin()), int(flat.argmax())} if flat.size else set()
         yield from ((f"[{n}]", flat[n].item()) for n in sorted(at))
@@ -99,12 +126,14 @@ def _worst(given: Any) -> Iterator[tuple[str, object]]:
         yield "", given.item() if hasattr(given, "item") else given
 
 
+def _is_finite(number: object) -> TypeGuard[float]:
+    """Whether it is one number, which a float can hold."""
+    return isinstance(number, (int, float)) and abs(number) <= sys.float_info.max
+
+
 def _refused(about: Quantity, number: object) -> Text | None:
     """Why an argument is none of these numbers, with what was meant where that can be told."""
-    if isinstance(number, (int, float)) and math.isfinite(number):
-        shown: object = about.units.shown(number) if about.unit else number
-    else:
-        shown = number
+    shown: object = about.units.shown(number) if about.unit and _is_finite(number) else number
     reason = about.refuses(shown)
     if reason is None and _of_another_unit(about, number) and about.usual is not None:
         low, high = map(_plain, about.usual)
@@ -123,7 +152,7 @@ def _of_another_unit(about: Quantity, number: object) -> bool:
 
 def _meant(about: Quantity, number: object) -> Text:
     """What the number is in the unit of a file, and what to give if it was meant in that."""
-    if isinstance(number, bool) or not isinstance(number, (int, float)) or not math.isfinite(number):
+    if isinstance(number, bool) or not _is_finite(number):
         return EMPTY
     if about.unit == "°C":
         celsius = number - ZERO_CELSIUS

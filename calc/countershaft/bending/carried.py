@@ -121,8 +121,12 @@ def carried(
     name: str = "the shaft",
     near: ComplexArray | None = None,
 ) -> Carried:
-    """The loads of the supports, one law for each.  `names` of the supports and `name` of the shaft are what an error
-    calls them; `near`: displacements from which is looked first, where they are known.
+    """The loads of the supports [N], displacements [m] and tilts [rad] of the journals there, complex as they turn with
+    the shaft (`Carried`).
+
+    `shaft`: of `condensed`; `laws`: what holds each support, front to rear: `Rigid()`, a `Spring` of k > 0
+    [N/m], or a law with play.  `names` of the supports and `name` of the shaft are what an error calls them; `near`:
+    displacements [m] from which is looked first, where they are known.
 
     Raises NoSolution where no equilibrium is found: by Newton's method from the loads of rigid supports, from there
     with all supports that have play made soft and stiff again."""

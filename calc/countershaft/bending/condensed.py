@@ -96,10 +96,14 @@ def condensed(
     points: tuple[EccentricMass, ...] = (),
     effectiveness: Number = 1.0,
 ) -> Condensed:
-    """The shaft that turns at `omega` on journals whose middles lie at `supports`, which rise.
+    """The shaft that turns at `omega` [rad/s] on journals whose middles lie at `supports` [m], two or more, which rise.
 
-    `points`: further masses; below zero what is removed.  `effectiveness`: the share η of what the sectors add to the
-    core's bending stiffness.  Raises NoSolution where a support or a point lies beyond the shaft's ends."""
+    `pieces`: its outline, front to rear, sizes in m, angles in rad in the sense of its own rotation, as the axis of the
+    complex plane has them that turns with it; `material`: modulus [Pa] and density [kg/m³].  `points`: further masses
+    [kg] at a radius, an angle and a place; below zero what is removed.  `effectiveness`: the share η, 0 to 1, of what
+    the sectors add to the core's bending stiffness.  What comes back, in N and m, is linear in how far the journals are
+    displaced (`Condensed`); `carried` puts it on its supports.  Raises NoSolution where a support or a point lies
+    beyond the shaft's ends."""
     shape = _shape(pieces)
     within_shaft(shape, supports, points)
     shaft = prepared(shape, material, omega, supports, points)
@@ -133,10 +137,12 @@ def at_rest(
     effectiveness: Number = 1.0,
     wheel: Metre | None = None,
 ) -> AtRest:
-    """The same shaft while it stands in its housing, `wheel` the middle of its wheel, which beyond an end of the
-    outline stands on a stiff stub.
+    """The same shaft while it stands in its housing under its weight: arguments as `condensed` has them, and `wheel`,
+    the middle of its wheel [m], which beyond an end of the outline stands on a stiff stub.
 
-    Its sectors go round, so that they bend by the mean of both planes."""
+    Its sectors go round, so that they bend by the mean of both planes.  Loads [N] are positive upwards; with a wheel
+    those of 1 N and of 1 N·m there are given too (`AtRest`); `standing_on` puts it on springs.  Raises NoSolution as
+    `condensed` does."""
     shape = _shape(pieces)
     if wheel is not None:  # a node for it
         node = min(max(wheel, shape.pieces[0].start), shape.pieces[-1].end)
@@ -160,7 +166,8 @@ def at_rest(
 
 
 def standing_on(shaft: AtRest, stiffness: Array) -> OnSupports:
-    """What stands on supports of that stiffness, N/m: infinite where one is rigid, 0 where it does not touch.
+    """What stands on supports of that stiffness [N/m], one for each support of the shaft, from 0, where it does not
+    touch, to infinite, where it is rigid: loads [N], up positive.
 
     Raises NoSolution where fewer than two touch."""
     k = np.asarray(stiffness, dtype=float)

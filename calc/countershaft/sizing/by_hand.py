@@ -2,7 +2,7 @@
 """The sizing of sectors from Python, in SI, its arguments held to the ranges of a design file."""
 
 from ...library.catalogue import Material
-from ...sheet.arguments import check_arguments
+from ...sheet.arguments import check_arguments, demand_numbers
 from ...sheet.units import (
     KilogramPerMetre3,
     Metre,
@@ -24,6 +24,7 @@ def size_sectors(
     `z_max`: from the middle to the outer face of a sector [m]; `fillet`: radius to the core [m].  Numbers alone.  A gap
     between them that does not hold two fillets is closed.  Raises TooSmall where the envelope can not hold them,
     BadInput where a size lies outside of the range that it has in a design file."""
+    demand_numbers("size_sectors", C=C, omega=omega)
     _check("size_sectors", rho, R, r_0, z_max, fillet)
     return sectors.pair(C, omega, rho, R, r_0, z_max, fillet)
 
@@ -46,6 +47,7 @@ def size_stretches(
 
     Raises TooSmall where the envelope can not hold them, NoSolution where nothing is asked, no stretch is left, or
     force and couple point different ways and there are more than two; BadInput as `size_sectors`."""
+    demand_numbers("size_stretches", U=U, P=P, omega=omega)
     farthest = max((abs(z) for stretch in where for z in stretch), default=None)
     _check("size_stretches", rho, R, r_0, farthest, fillet)
     return stretches.size_stretches(U, P, omega, rho, R, r_0, where, fillet)

@@ -18,6 +18,7 @@ from itertools import pairwise
 import numpy as np
 
 from ...draw.drawing import TOUCH
+from ...sheet.arguments import demand_numbers
 from ...sheet.arrays import Array, Num
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
@@ -118,7 +119,11 @@ def inner_gaps(shaft: ShaftInputs) -> Gaps:
 def stretches(half_length: Metre, gaps: Iterable[tuple[Metre, Metre]]) -> Stretches:
     """What is left between ∓half_length [m] of all gaps, (from, to) [m], front to rear.
 
-    A gap without width parts a stretch all the same: sectors end at the bearing."""
+    A gap without width parts a stretch all the same: sectors end at the bearing.  BadInput where one of them is no
+    finite number."""
+    gaps = tuple(gaps)
+    places = {f"gaps[{n}].{name}": x for n, gap in enumerate(gaps) for name, x in zip(("z", "width"), gap)}
+    demand_numbers("stretches", half_length=half_length, **places)
     left = [(based_on(-half_length, half_length), half_length)]
     for z, width in gaps:
         front, rear = (based_on(face, z, width) for face in (z - width / 2, z + width / 2))

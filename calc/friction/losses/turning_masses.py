@@ -14,6 +14,7 @@ import numpy as np
 
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.outline import Outline
+from ...sheet.arguments import check_arguments, demand_numbers, demand_one_length
 from ...sheet.arrays import Array, Num
 from ...sheet.formula import formula
 from ...sheet.functions import acos, largest, pi, resultant, smallest, sqrt
@@ -35,6 +36,7 @@ from ...sheet.units import (
     Watt,
     Watts,
 )
+from ..inputs import FrictionInputs
 from .oil_and_air import AIR_VISCOSITY
 
 VRANCIK = Text("Vrancik 1968")
@@ -133,6 +135,25 @@ def counted_in_shell(P_low: Watt) -> Watt:
     return P_low
 
 
+def sectors_loss(
+    b: Num,
+    R: Num,
+    r_0: Num,
+    omega: RadPerSecond,
+    rho: KilogramPerMetre3,
+    mu: PascalSecond = AIR_VISCOSITY,
+    shell_gap: Metre | None = None,
+) -> MassLoss:
+    """What `mass_loss` gives, of sizes that are known to be sound."""
+    b, R, r_0 = (np.atleast_1d(x) for x in (b, R, r_0))
+    t = R if shell_gap is None else shell_gap
+    C_Z = skin_friction(Re=gap_reynolds(rho=rho, omega=omega, R=R, t=t, mu=mu))
+    low = least_loss(P_Z=cylinder_loss(C_Z=C_Z, rho=rho, omega=omega, R=R, b=b))
+    high = most_loss(P_low=low, P_P=plate_loss(rho=rho, omega=omega, b=b, R=R, r_0=r_0))
+    counted = counted_loss(P_low=low, P_high=high) if shell_gap is None else counted_in_shell(P_low=low)
+    return MassLoss(mass_loss_low=low, mass_loss_high=high, mass_loss=counted)
+
+
 def mass_loss(
     b: Num,
     R: Num,
@@ -145,15 +166,21 @@ def mass_loss(
     """The loss of the sectors of a shaft that turns at `omega` [rad/s]: their lengths `b`, outer radii `R` and core
     radii `r_0` [m], arrays with an element each, or numbers of one; the loss is that of all together [W].
 
-    ρ: density of the mist (24 kg/m³ by the tests of wheels); μ: viscosity of the air in it, which drops of oil do not
-    thicken; `shell_gap`: between the sectors and the shell that covers them, None where nothing does."""
-    b, R, r_0 = (np.atleast_1d(x) for x in (b, R, r_0))
-    t = R if shell_gap is None else shell_gap
-    C_Z = skin_friction(Re=gap_reynolds(rho=rho, omega=omega, R=R, t=t, mu=mu))
-    low = least_loss(P_Z=cylinder_loss(C_Z=C_Z, rho=rho, omega=omega, R=R, b=b))
-    high = most_loss(P_low=low, P_P=plate_loss(rho=rho, omega=omega, b=b, R=R, r_0=r_0))
-    counted = counted_loss(P_low=low, P_high=high) if shell_gap is None else counted_in_shell(P_low=low)
-    return MassLoss(mass_loss_low=low, mass_loss_high=high, mass_loss=counted)
+    `rho`: density of the mist [kg/m³] (24 by the tests of wheels); `mu`: viscosity of the air in it [Pa·s], which drops
+    of oil do not thicken; `shell_gap`: between the sectors and the shell that covers them [m], None where nothing does.
+    Raises BadInput where a size lies outside of the range that it has in a design file, speed or viscosity is no finite
+    number, or the arrays are not of one length."""
+    check_arguments(
+        "mass_loss",
+        b=(ShaftInputs.half_length, b),
+        R=(ShaftInputs.outer_radius, R),
+        r_0=(ShaftInputs.core_radius, r_0),
+        rho=(FrictionInputs.mist_density, rho),
+        shell_gap=(ShaftInputs.shell_gap, shell_gap),
+    )
+    demand_numbers("mass_loss", omega=omega, mu=mu)
+    demand_one_length("mass_loss", b=b, R=R, r_0=r_0)
+    return sectors_loss(b, R, r_0, omega, rho, mu, shell_gap)
 
 
 # --- sectors that dip into the oil

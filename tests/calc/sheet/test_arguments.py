@@ -154,3 +154,31 @@ def numbers(result):
     if hasattr(result, "orders"):
         return [getattr(order, name) for order in result.orders.values() for name in ("couple_peak", "force_peak")]
     return [result.reciprocating_mass, result.acceleration_max, result.mean_piston_speed]
+
+
+SIZES = {"b": 0.16, "R": 0.022, "r_0": 0.008, "omega": 1257.0, "rho": 24.0}
+SECTORS = {"C": 573.0, "omega": 272.3, "rho": 7860.0, "R": 0.043, "r_0": 0.018, "z_max": 0.1475}
+NOTHING_LEFT = countershaft.OrderVectors(0, 0, 0, 573)
+
+
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: friction.mass_loss(**SIZES | {"R": 22.0}), "R: 22: must be .*for 22 mm give 0.022"),
+        (lambda: friction.mass_loss(**SIZES | {"rho": "oil"}), "rho: .*must be"),
+        (lambda: friction.mass_loss(**SIZES | {"omega": np.inf}), "omega: inf: must be a finite number"),
+        (lambda: friction.mass_loss(**SIZES | {"b": np.ones((2, 2))}), "b: .*arrays of one length"),
+        (lambda: countershaft.size_sectors(**SECTORS | {"C": "x"}), "C: .*must be a finite number"),
+        (lambda: countershaft.size_sectors(**SECTORS | {"C": np.array([1.0, 2.0])}), "C: .*must be a finite number"),
+        (lambda: countershaft.size_sectors(**SECTORS | {"R": 10**400}), "R: .*must be"),
+        (lambda: countershaft.size_sectors(**SECTORS | {"R": np.array([1, 2], dtype=object)}), "R: .*must be"),
+        (lambda: countershaft.stretches(0.13, [(0.0, None), (np.nan, 0.1)]), r"gaps\[1\].z: nan: must be"),
+        (lambda: countershaft.together({1: NOTHING_LEFT}, [countershaft.SystemShaft("a", 2, 0, 1)]), r"shafts\[0\].ratio"),
+        (lambda: countershaft.together({3: NOTHING_LEFT}, [countershaft.SystemShaft("a", 3, 0, 1)]), "must be ±1 or ±2"),
+        (lambda: friction.solve_loss(gears.solve_pair(**PAIR), **LOSS | {"power": np.ones(2), "speed": np.ones(3)}), "arrays of one length"),
+        (lambda: friction.solve_loss(gears.solve_pair(**PAIR), **LOSS | {"oil": 3.0}), "oil: 3.0"),
+    ],
+)  # fmt: skip
+def test_what_a_second_attack_found(call, words):
+    with pytest.raises(BadInput, match=words):
+        call()
