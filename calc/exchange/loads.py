@@ -75,7 +75,9 @@ def loads(results: Results, speeds: Sequence[RevPerSecond], variant: str = "shaf
     `variant` of the balancing, one of `variants(results)`: `half` without shafts, `shaft` as designed, `scatter` as
     they scatter, `tooth` one tooth off, of several shafts the worst.  Of a design without shafts it is always half."""
     with recorded(False):
-        made, at = _AtSpeeds(results), tuple(map(float, speeds))
+        made = _AtSpeeds(results)
+        rated = float(made.driven.engine.rated_speed)  # met exactly, since there it is the design itself
+        at = tuple(rated if math.isclose(speed, rated, rel_tol=1e-12) else float(speed) for speed in speeds)
         name = variant_of(made.driven, variant if made.shafts else HALF)
         assert name is not None  # one of those that there are
         off = with_shafts(made.shafts).get(name) or Variant(made.driven.words[name], {})
