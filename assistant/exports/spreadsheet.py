@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A workbook: inputs, results, checks, tables, loads at rated speed, runs and balancing of a design, for spreadsheet programs."""
+"""A workbook for spreadsheet programs: inputs, results, checks, tables, loads at rated speed, runs, balancing."""
 
 from assistant.exports.kinds import Made, Request
 from assistant.exports.loads import lacks as without_loads
