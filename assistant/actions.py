@@ -66,6 +66,9 @@ ACTIONS: tuple[Action, ...] = (
     Action("drive", "", "T", EMPTY, Text("Whole drive"),
            Text("Searches every combination of shaft and bearings that keeps what is asked of it: power, mass, seat, "
                 "price and margin against each other; one is taken as one step of the undo.")),
+    Action("fit", "", "F", EMPTY, Text("Fits"),
+           Text("In a design with [[fits]]: finds their inputs from runs of the bench, and says whether the runs "
+                "determine them; what is identified is taken as one step of the undo.")),
     Action("guide", "", "G", EMPTY, Text("Guide on and off"),
            Text("Shows below the question of each step what is good there or worth trying, or leaves it out.")),
     Action("pane", "f6", "l", Text("Pane"), Text("Next pane"), Text("Moves to the next pane."), call=("turn_pane", 1)),
@@ -240,7 +243,18 @@ def bound(id: str, does: str = "", keys: str = "") -> Binding:
 
 
 # actions that open a screen, on which the keys that follow are meant to be struck
-OPENS: tuple[str, ...] = ("help", "fix", "choose", "drive", "accept", "leave_out", "ready", "not_counted", "export")
+OPENS: tuple[str, ...] = (
+    "help",
+    "fix",
+    "choose",
+    "drive",
+    "fit",
+    "accept",
+    "leave_out",
+    "ready",
+    "not_counted",
+    "export",
+)
 OPENS += ("curves", "save_as", "new", "open", "record", "compare", "palette", "explain")
 ANYWHERE = ("quit", "palette", "open")  # actions whose keys come before those of a field, also where one types
 

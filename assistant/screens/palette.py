@@ -99,7 +99,8 @@ Add = Callable[..., None]
 
 def _actions(work: Workbench, add: Add) -> None:
     for action in ACTIONS:
-        if action.id not in HIDDEN and not (action.id == "drive" and work.no_drive()):
+        idle = (action.id == "drive" and work.no_drive()) or (action.id == "fit" and work.no_fit())
+        if action.id not in HIDDEN and not idle:
             keys = key_names(work.app.keys_of(action.id)[:2], work.app.say)
             does: Does = partial(work.run_action, action.does)
             called = CALLED.get(action.id, EMPTY)

@@ -348,13 +348,17 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
 
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog -tall -whole"):
-            yield Static(Content.styled(self.app.say(TITLES[self.step]), "bold"), id="choosing-title")
+            yield Static(Content.styled(self.app.say(self.headline), "bold"), id="choosing-title")
             yield Static(id="choosing-state")
             yield OfferList()
             yield Static(id="choosing-preview")
             yield Static(
                 Content.styled(self.app.say(Text(HINT.template, compare=self.app.shown_letter("compare"))), "dim")
             )
+
+    @property
+    def headline(self) -> Text:
+        return TITLES[self.step]
 
     def on_mount(self) -> None:
         self.query_one(OfferList).focus()

@@ -256,6 +256,21 @@ class WorkbenchEdits(WorkbenchMoves):
 
         self.app.push_screen(Driving(self.session), self._chosen)
 
+    def no_fit(self) -> Text:
+        """Why there is nothing to fit; empty where there is."""
+        if not self.session.valid:
+            return FIRST_VALID
+        return EMPTY if self.session.design.fits else Text("This design has no [[fits]].")
+
+    def action_fit(self) -> None:
+        """Inputs from runs of the bench."""
+        if why := self.no_fit():
+            self.app.tell(why, "warning")
+            return
+        from .fitting import Fitting
+
+        self.app.push_screen(Fitting(self.session, self.step.key), self._chosen)
+
     def _chosen(self, changes: tuple[str, ...] | None) -> None:
         if changes is not None:
             self.apply(changes, told(self.session.document, changes) or Text("The design is as it was."))

@@ -56,20 +56,23 @@ class DesignFit:
         return sentence(self.result, self.names)
 
     @property
-    def words(self) -> Text:
-        """`drag: identified, clearance of front 98 ± 9 µm`, in a line."""
-        values = self.values()
-        parts = [self.verdict]
+    def numbers(self) -> Text:
+        """`clearance of front 97.92 ± 9.33 µm, clearance of rear …`; empty where no values are given."""
+        values, parts = self.values(), []
         for i, name in enumerate(self.names):
             if (value := values.get(f"{self.id}.{name.key}")) is not None:
                 number = Amount(self.applied(i), digits=6) if i not in self.result.at_bound else Amount(value.shown)
                 sd = values.get(f"{self.id}.{name.key}.sd")
                 spread = Text(" ± {sd}", sd=Amount(sd.shown, digits=3)) if sd is not None else EMPTY
-                words = Text(
-                    "{label} {value}{spread} {unit}", label=name.label, value=number, spread=spread, unit=name.unit
-                )
-                parts.append(words)
-        return Text("{name}: {words}", name=self.name, words=COMMA.join(parts))
+                told = dict(label=name.label, value=number, spread=spread, unit=name.unit)
+                parts.append(Text("{label} {value}{spread} {unit}", **told))
+        return COMMA.join(parts) if parts else EMPTY
+
+    @property
+    def words(self) -> Text:
+        """`drag: identified, clearance of front 97.92 ± 9.33 µm`, in a line."""
+        words = COMMA.join(part for part in (self.verdict, self.numbers) if part)
+        return Text("{name}: {words}", name=self.name, words=words)
 
     @property
     def id(self) -> str:
