@@ -86,6 +86,7 @@ class _Fitting:
             FreeNumber(row.key, row.low, row.high, self._start(row), row.prior, row.prior_sd) for row in fit.free
         )
         self.early = False  # whether what is wanted is known before the gears are rated
+        self.asked_more = False  # whether a solve had not what is wanted, so that another was asked for
         self._solved: dict[tuple[float, bool], Results] = {}  # what a change leaves as it is, is taken over
 
     def _start(self, row: FreeInput) -> float:
@@ -136,6 +137,7 @@ class _Fitting:
         return predictions(self.changed(numbers), wanted, self._solve)
 
     def _solve(self, design: Design, before: Results | None = None, *, compared: bool = False) -> Results:
+        self.asked_more |= compared
         early = self.early and not compared
         at = design.engine.rated_speed if design.engine is not None else 0.0, early
         known = self._solved.get(at)
@@ -148,8 +150,9 @@ class _Fitting:
         at = tuple(numbers)
         found = []
         for self.early in (False, True):
+            self.asked_more = False
             found.append(self.predicted(at, wanted))
-        return all(np.array_equal(a, b, equal_nan=True) for a, b in zip(*found))
+        return not self.asked_more and all(np.array_equal(a, b, equal_nan=True) for a, b in zip(*found))
 
     def _bad(self, key: str, *reasons: Text) -> BadInput:
         wrong = mistaken(self.document, [(key, reason) for reason in reasons])

@@ -189,3 +189,19 @@ def test_drag_alone_says_nothing_of_two_clearances_and_with_the_oil_flow_both_ar
     for truth, (low, high) in zip((95.0, 75.0), found.result.limits):
         assert low < truth < high
     assert [key.rpartition(".")[2] for key in found.replaced] == ["clearance_factor"] * 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("value", "early"), [("friction.bearing_loss", True), ("gears.idler_shaft.safety_contact", False)]
+)
+def test_a_solve_ends_early_only_where_nothing_later_is_wanted(tmp_path, value, early):
+    run = RUN_OF_DRAG.replace("friction.bearing_loss", value).replace(', unit = "W"', "")
+    key = "shafts.shaft.bearings.front.clearance_um"
+    row = f'\n[[fits]]\nname = "drag"\nfree = [{{ key = "{key}", low = 50, high = 140 }}]\n'
+    (tmp_path / "design.toml").write_text((DESIGNS / "r753ie4_gamma.toml").read_text() + run + row)
+    (tmp_path / "drag.csv").write_text("n,P\n900,2\n1500,7\n")
+    asked, place, base = _named(document := read(tmp_path / "design.toml"), "drag")
+    fitting = _Fitting(document, base, asked, place, solve(base))
+    wanted, _ = fitting._wanted()
+    assert fitting._same_early([80.0], wanted) is early
