@@ -40,6 +40,7 @@ from .outline import HEAVIER, SECTOR, Outline, extent, turning_inertia, weighed
 
 ABOUT_G = Text("definition, with Steiner's theorem: moment of inertia about the centre of gravity")
 PRODUCT_G = Text("definition, with Steiner's theorem: −∫ of both distances over the mass, about the centre of gravity")
+ALONG_AXIS = {"z_S": "Centre of gravity along the axis, from mid-shaft"}
 POINTS = {"m": "m_i", "e": "e_i", "z": "z_i", "phi": "φ_i"}
 
 
@@ -68,7 +69,7 @@ class InertiaResult(Shown):
 
 
 @formula(
-    "D",
+    "S_2",
     Text("{sector}: ∫w² of the sector, w = x + iy", sector=SECTOR),
     unit="mm⁴",
     names={"phi": "φ"},
@@ -78,7 +79,7 @@ def moment_of_squares(gamma: Radian, R: Metre, r_0: Metre, phi: Radian) -> Phaso
     return sin(2 * gamma) * (R**4 - r_0**4) / 4 * cis(2 * phi)
 
 
-@formula("D_w", HEAVIER, unit="mm⁴", names={"nu": "ν_ρ"})
+@formula("S_2,w", HEAVIER, unit="mm⁴", names={"D": "S_2", "nu": "ν_ρ"})
 def weighing_squares(D: PhasorMetre4, nu: Number) -> PhasorMetre4:
     return nu * D
 
@@ -103,27 +104,37 @@ def lengthwise_of_points(m: Kilograms, z: Metres) -> KilogramMetre2:
     return resultant(m * z**2)
 
 
-PIECES = {"rho": "Density", "l": "Lengths of the pieces", "z": "Middles of the pieces"}
+PIECES = {"rho": "Density", "l": "Lengths of the pieces"}
+STATIC = PIECES | {"S": "Static moments of the pieces about the axis", "U_i": "Static moment of points on it"}
+ALONG = PIECES | {"z": "Middles of the pieces"}
+LENGTHWISE = ALONG | {"A": "Areas of the pieces", "Z_i": "∫z² of points on it"}
+SQUARES = PIECES | {"D": "∫w² of the sectors", "D_i": "∫w² of points on it"}
 
 
-@formula("U", "geometry: static moment of the shaft about its axis", unit="kg·mm", names={"S": "S_γ"}, meanings=PIECES)
+@formula("U", "geometry: static moment of the shaft about its axis", unit="kg·mm", names={"S": "S_γ"}, meanings=STATIC)
 def unbalance(rho: KilogramPerMetre3, S: PhasorCubicMetres, l: Metres, U_i: PhasorKilogramMetre) -> PhasorKilogramMetre:
     return rho * resultant(S * l) + U_i
 
 
-@formula("K", "geometry: ∫wz of the shaft about mid-shaft", unit="kg·mm²", names={"S": "S_γ"}, meanings=PIECES)
+@formula(
+    "K_S",
+    "geometry: ∫wz of the shaft about mid-shaft",
+    unit="kg·mm²",
+    names={"S": "S_γ"},
+    meanings=ALONG | {"S": STATIC["S"], "K_i": "∫wz of points on it"},
+)
 def tilt(
     rho: KilogramPerMetre3, S: PhasorCubicMetres, l: Metres, z: Metres, K_i: PhasorKilogramMetre2
 ) -> PhasorKilogramMetre2:
     return rho * resultant(S * l * z) + K_i
 
 
-@formula("D_S", "geometry: ∫w² of the shaft about its axis", unit="kg·mm²", meanings=PIECES)
+@formula("D_S", "geometry: ∫w² of the shaft about its axis", unit="kg·mm²", names={"D": "S_2"}, meanings=SQUARES)
 def squares(rho: KilogramPerMetre3, D: PhasorMetres4, l: Metres, D_i: PhasorKilogramMetre2) -> PhasorKilogramMetre2:
     return rho * resultant(D * l) + D_i
 
 
-@formula("Z", "geometry: ∫z² of the shaft about mid-shaft", unit="kg·mm²", meanings=PIECES)
+@formula("Z", "geometry: ∫z² of the shaft about mid-shaft", unit="kg·mm²", meanings=LENGTHWISE)
 def lengthwise(rho: KilogramPerMetre3, A: SquareMetres, l: Metres, z: Metres, Z_i: KilogramMetre2) -> KilogramMetre2:
     return rho * resultant(A * (l * z**2 + l**3 / 12)) + Z_i
 
@@ -146,14 +157,14 @@ def side(w_G: PhasorMetre) -> Metre:
     return imag(w_G)
 
 
-@formula("J_xx", ABOUT_G, unit="kg·mm²")
+@formula("J_xx", ABOUT_G, unit="kg·mm²", meanings=ALONG_AXIS)
 def inertia_up(
     J_S: KilogramMetre2, D_S: PhasorKilogramMetre2, Z: KilogramMetre2, m_S: Kilogram, w_G: PhasorMetre, z_S: Metre
 ) -> KilogramMetre2:
     return (J_S - real(D_S)) / 2 + Z - m_S * (imag(w_G) ** 2 + z_S**2)
 
 
-@formula("J_yy", ABOUT_G, unit="kg·mm²")
+@formula("J_yy", ABOUT_G, unit="kg·mm²", meanings=ALONG_AXIS)
 def inertia_side(
     J_S: KilogramMetre2, D_S: PhasorKilogramMetre2, Z: KilogramMetre2, m_S: Kilogram, w_G: PhasorMetre, z_S: Metre
 ) -> KilogramMetre2:
@@ -170,12 +181,12 @@ def product_up_side(D_S: PhasorKilogramMetre2, m_S: Kilogram, w_G: PhasorMetre) 
     return joined(m_S * real(w_G) * imag(w_G), -(imag(D_S) / 2))
 
 
-@formula("J_yz", PRODUCT_G, unit="kg·mm²")
+@formula("J_yz", PRODUCT_G, unit="kg·mm²", names={"K": "K_S"}, meanings=ALONG_AXIS)
 def product_side_along(K: PhasorKilogramMetre2, m_S: Kilogram, w_G: PhasorMetre, z_S: Metre) -> KilogramMetre2:
     return joined(m_S * imag(w_G) * z_S, -imag(K))
 
 
-@formula("J_zx", PRODUCT_G, unit="kg·mm²")
+@formula("J_zx", PRODUCT_G, unit="kg·mm²", names={"K": "K_S"}, meanings=ALONG_AXIS)
 def product_along_up(K: PhasorKilogramMetre2, m_S: Kilogram, w_G: PhasorMetre, z_S: Metre) -> KilogramMetre2:
     return joined(m_S * real(w_G) * z_S, -real(K))
 

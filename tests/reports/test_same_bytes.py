@@ -71,7 +71,9 @@ def test_reports_know_no_single_step() -> None:
     import ast
 
     rooms = ("calc.sheet.", "calc.draw.", "calc.library.", "calc.locale", "calc.design.", "calc.studies.", "calc.solve")
-    paths = list((ROOT / "reports").rglob("*.py"))
+    rooms += ("calc.exchange.", "calc.measurements.")
+    own = ROOT / "reports" / "step"  # a solid is made of the shaft's own outline, and of the wheel's own profile
+    paths = [path for path in (ROOT / "reports").rglob("*.py") if own not in path.parents]
     assert len(paths) > 30
     for path in paths:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

@@ -32,7 +32,7 @@ MEANINGS = {
 }
 SHOP = Text("definition: counted by the shop, from its zero, with the shaft's rotation or against it")
 RING = Text("statics: both rings have the force and the moment of the target, against it")
-COUNTED = {"s": "s_z", "phi": "φ", "phi_0": "φ_0"}
+COUNTED = {"s": "s_α", "phi": "φ", "phi_0": "φ_0"}
 OF_SHOP = {
     "s": "1 where the shop counts as the crank turns, −1 against it",
     "phi_0": "Angle from which the shop counts",
@@ -72,9 +72,9 @@ def direction(U: PhasorKilogramMetre) -> Radian:
 
 
 @formula(
-    "α",
+    "α_z",
     SHOP,
-    shows="s_z·(φ − φ_0), from 0 to 360°",
+    shows="s_α·(φ − φ_0), from 0 to 360°",
     names=COUNTED,
     meanings=OF_SHOP | {"phi": "Angle in the engine, cylinder 1 at TDC", "return": "Angle as the shop counts it"},
 )
@@ -89,7 +89,7 @@ def shop_angle(s: Number, phi: Radian, phi_0: Radian) -> Radian:
 @formula(
     "φ_α",
     SHOP,
-    names=COUNTED | {"alpha": "α"},
+    names=COUNTED | {"alpha": "α_z"},
     meanings=OF_SHOP | {"alpha": "Angle as the shop counts it", "return": "The same angle in the engine"},
 )
 def engine_angle(s: Number, alpha: Radian, phi_0: Radian) -> Radian:
@@ -124,7 +124,7 @@ def ring_rear(
 @formula(
     "F_b",
     "dynamics: what the target puts on a pedestal of the balancing machine, without rings",
-    names={"U": "|U|"},
+    names={"U": "|U|", "n_b": "n_M"},
     meanings={"U": "Target in the plane", "n_b": "Speed of the balancing machine"},
 )
 def machine_force(U: KilogramMetre, n_b: RevPerSecond) -> Newton:
@@ -138,6 +138,7 @@ def machine_force(U: KilogramMetre, n_b: RevPerSecond) -> Newton:
     "ΔU_m",
     "mathematics: root of squares of independent errors",
     unit="g·mm",
+    names={"s_m": "s_M", "s_r": "s_R"},
     meanings={"s_m": "Standard error of the machine", "s_r": "Standard error of a ring"},
 )
 def uncertainty(s_m: KilogramMetre, s_r: KilogramMetre) -> KilogramMetre:

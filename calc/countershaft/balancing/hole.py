@@ -14,7 +14,7 @@ from ...sheet.text import Text
 from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre3, Metre, Radian
 
 HOLES = Text("geometry, a radial hole by a drill with its cone into a cylinder (Finotti 2013, 4.1, has it flat)")
-NAMES = {"theta": "θ_c", "a": "a_c", "q": "q_c", "l": "l_c"}
+NAMES = {"theta": "θ_c", "a": "a_c", "q": "q_h", "l": "l_c"}
 _MEANINGS = {
     "rho": "Density",
     "R": "Outer radius at the hole",
@@ -45,7 +45,7 @@ def cone_length(a: Metre, theta: Radian) -> Metre:
     return a / tan(theta / 2)
 
 
-@formula("q_c", Text("{holes}: where its full diameter ends", holes=HOLES), unit="mm", names={"h": "h_c"})
+@formula("q_h", Text("{holes}: where its full diameter ends", holes=HOLES), unit="mm", names={"h": "h_c"})
 def bottom_radius(R: Metre, h: Metre) -> Metre:
     return R - h
 
@@ -59,7 +59,7 @@ def least_depth(R: Metre, a: Metre) -> Metre:
 
 
 @formula(
-    "R_m",
+    "R_c,m",
     Text("{holes}: mean distance of the surface over the hole from the plane through the axis", holes=HOLES),
     shows="R·₂F₁(−½, ½; 2; a²/R²)",
     unit="mm",
@@ -74,7 +74,11 @@ def mean_surface(R: Metre, a: Metre) -> Metre:
 
 
 @formula(
-    "m_c", Text("{holes}: what it takes away", holes=HOLES), unit="g", names=NAMES, meanings=_of("rho", "a", "q", "l")
+    "m_c",
+    Text("{holes}: what it takes away", holes=HOLES),
+    unit="g",
+    names=NAMES | {"R_m": "R_c,m"},
+    meanings=_of("rho", "a", "q", "l"),
 )
 def hole_mass(rho: KilogramPerMetre3, a: Metre, R_m: Metre, q: Metre, l: Metre) -> Kilogram:
     return rho * pi * a**2 * (R_m - q + l / 3)
