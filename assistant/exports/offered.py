@@ -37,6 +37,11 @@ class FileRow:
         return ("pdf",) if self.kind is None else self.kind.endings
 
     @property
+    def alone(self) -> bool:
+        """Whether an ending says by itself that this file is meant."""
+        return self.kind is None or (self.kind.alone and not self.option)
+
+    @property
     def tail(self) -> str:
         return ".pdf" if self.kind is None else self.kind.tail(self.option)
 

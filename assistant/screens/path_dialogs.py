@@ -421,7 +421,8 @@ class ExportDialog(TargetDialog):
     def take(self, path: Path) -> None:
         ending = Path(path.stem).suffix if Path(path.stem).suffix.lower() in self.ENDINGS else path.suffix
         if (ending := ending.lower().removeprefix(".")) and ending not in self.chosen.endings:
-            self.chosen = next((row for row in self.offered_rows if ending in row.endings), self.chosen)
+            meant = [row for row in self.offered_rows if ending in row.endings]
+            self.chosen = next((row for row in meant if row.alone), meant[0] if meant else self.chosen)
         super().take(path)
 
     def wrong(self, path: Path) -> Text:
