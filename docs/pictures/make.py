@@ -176,7 +176,27 @@ def measured() -> bytes:
     return written.getvalue()
 
 
+def module(target: Path) -> None:
+    """All shafts and wheels of the pair, drawn from the STEP file itself (needs the extra `cad`)."""
+    import matplotlib.image
+    import numpy as np
+    from solids import drawn, triangles
+
+    with tempfile.TemporaryDirectory() as folder:
+        step = Path(folder) / "module.step"
+        command = [sys.executable, "-m", "assistant", "export", ROOT / "designs" / "r754ie4_balance_shafts.toml"]
+        subprocess.run([*command, "--step", "--module", "--teeth", "-q", "-o", step], check=True, cwd=ROOT)
+        parts = triangles(step)
+    aside, above = np.radians(35.0), np.radians(22.0)  # from the front of the engine
+    toward = np.array([np.sin(above), np.cos(above) * np.sin(aside), -np.cos(above) * np.cos(aside)])
+    up = np.array([1.0, 0.0, 0.0]) - toward * toward[0]
+    shaft, its_wheel, crank, idler = "#8fa3b8", "#c9a15b", "#7f8c99", "#b5bdc6"
+    colours = [shaft, its_wheel, shaft, its_wheel, crank, idler, idler, idler]
+    matplotlib.image.imsave(target, drawn(parts, colours, (toward, up / np.linalg.norm(up)), 820))
+
+
 if __name__ == "__main__":
+    module(HERE / "module.png")
     (HERE / "frame.png").write_bytes(frame())
     (HERE / "session.svg").write_text(asyncio.run(session()), encoding="utf-8")
     page(HERE / "report.png")
