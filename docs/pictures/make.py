@@ -8,6 +8,7 @@ import asyncio
 import subprocess
 import sys
 import tempfile
+from importlib.util import find_spec
 from pathlib import Path
 
 HERE = Path(__file__).parent
@@ -196,7 +197,8 @@ def module(target: Path) -> None:
 
 
 if __name__ == "__main__":
-    module(HERE / "module.png")
+    if find_spec("OCP") is not None:  # of the extra `cad`
+        module(HERE / "module.png")
     (HERE / "frame.png").write_bytes(frame())
     (HERE / "session.svg").write_text(asyncio.run(session()), encoding="utf-8")
     page(HERE / "report.png")
