@@ -4,6 +4,7 @@
 from importlib.util import find_spec
 
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.extras import needs
 from calc.sheet.text import Text
 
 
@@ -14,8 +15,7 @@ def missing(extra: str, module: str, place: str, words: Text | None = None) -> I
         return None
     if words is not None:
         return InputError(0, "", "", words)
-    reason = Text("needs the extra `{extra}`: pip install 'contralbero[{extra}]'", extra=extra)
-    return InputError(0, place, "", reason)
+    return InputError(0, place, "", needs(extra))
 
 
 def demand(extra: str, module: str, place: str) -> None:

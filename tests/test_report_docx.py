@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 
 from assistant.cli import main
-from assistant.commands import report
 from tests.conftest import DESIGNS
 from tests.test_imports import loaded
 
@@ -32,11 +31,11 @@ def test_it_is_written_by_its_ending_or_when_asked_for(tmp_path: Path, capsys, m
 
 
 def test_without_the_extra_it_says_what_to_install(tmp_path: Path, capsys, monkeypatch) -> None:
-    monkeypatch.setattr(report, "find_spec", lambda name: None)
+    monkeypatch.setattr("assistant.extras.find_spec", lambda name: None)
     target = tmp_path / "a.docx"
     code, out, err = said(capsys, PAIR, "-o", target)
     assert code == 2 and out == "" and not target.exists()
-    assert "needs python-docx pypdfium2: `pip install python-docx pypdfium2`" in err
+    assert "--format docx: needs the extra `docx`: pip install 'contralbero[docx]'" in err
 
 
 def test_what_does_not_go_together_is_refused(tmp_path: Path, capsys) -> None:

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from assistant.commands.check import changed
+from assistant.extras import demand
 from assistant.named_files import STANDARD, put, read_design
 from assistant.results_text import print_summary, table_json, table_lines
 from assistant.session.saving import asked_for, make_folder, saved_text, spare, write_asked
@@ -42,6 +43,8 @@ SEARCHING = 0.7  # of the time that is given is for the classes, the rest for so
 
 
 def run_design(given: Namespace) -> int:
+    if given.scheduler:
+        demand("farm", "distributed", "--scheduler")
     document, _ = changed(read_design(given.file), [])
     if given.out is None and not given.dry:
         raise BadInput(

@@ -4,10 +4,10 @@
 import sys
 from argparse import Namespace
 from collections.abc import Sequence
-from importlib.util import find_spec
 from pathlib import Path
 
 from assistant.commands.check import exit_code
+from assistant.extras import demand
 from assistant.named_files import (
     STANDARD,
     demand_ending,
@@ -31,7 +31,6 @@ from calc.solve import solve
 from calc.studies.drive.front import NAME, Broken, picked
 
 ENDINGS = ("pdf", "docx")
-PACKAGES = {"python-docx": "docx", "pypdfium2": "pypdfium2"}  # of the extra `docx`, by what they are imported as
 
 
 def run_report(asked: Namespace) -> int:
@@ -132,11 +131,8 @@ def _demand_docx(asked: Namespace) -> None:
     if asked.depth == "audit":
         reason = Text("is written as a PDF only: take --depth engineer, or leave --format out")
         raise BadInput("contralbero report", [InputError(0, "--depth", "audit", reason)])
-    if missing := [package for package, module in PACKAGES.items() if find_spec(module) is None]:
-        reason = Text(
-            "needs {packages}: `pip install {packages}`; the PDF needs nothing more", packages=" ".join(missing)
-        )
-        raise BadInput("contralbero report", [InputError(0, "--format", "docx", reason)])
+    for module in ("docx", "pypdfium2"):
+        demand("docx", module, "--format docx")
 
 
 # --- contralbero export

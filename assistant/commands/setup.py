@@ -10,6 +10,7 @@ from argparse import Namespace
 from difflib import get_close_matches
 from pathlib import Path
 
+from assistant.extras import demand
 from assistant.named_files import STANDARD, demand_ending, put
 from assistant.usage import COMMANDS, parser
 from calc.design.addresses import as_list, parse_assignment
@@ -41,14 +42,9 @@ def run_help(asked: Namespace) -> int:
 
 
 def run_completion(asked: Namespace) -> int:
-    try:
-        from argcomplete.shell_integration import shellcode
-    except ImportError:
-        print(
-            Text("the script is that of argcomplete, which the extra `contralbero[completion]` installs"),
-            file=sys.stderr,
-        )
-        return 2
+    demand("completion", "argcomplete", "completion")
+    from argcomplete.shell_integration import shellcode
+
     print(shellcode(["contralbero"], shell=asked.shell))
     return 0
 

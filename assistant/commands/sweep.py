@@ -11,6 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from assistant.commands.check import changed, known_step
+from assistant.extras import demand
 from assistant.named_files import STANDARD, demand_ending, read_design
 from assistant.results_text import sign
 from assistant.session.saving import asked_for, spare
@@ -24,7 +25,7 @@ from calc.sheet.text import Text
 from calc.studies.sweep import Sweep, SweepPlan, grid, listed, sampled, swept, toleranced, varied
 from calc.studies.sweep.inputs import same_input
 from calc.studies.sweep.run import designs
-from calc.studies.sweep.table import NO_DESIGN, InFolder, columns, key_of, parquet, write_csv, write_parquet
+from calc.studies.sweep.table import NO_DESIGN, InFolder, columns, key_of, write_csv, write_parquet
 
 ENDINGS = ("csv", "parquet")
 OFTEN = 2.0  # seconds between two lines of progress
@@ -35,7 +36,10 @@ def run_sweep(asked: Namespace) -> int:
     output = None if asked.output == STANDARD else asked.output
     if output is not None:
         spare(Path(output), asked.file, *([asked.list] if asked.list is not None else []))
-        demand_ending(output, *ENDINGS)
+        if demand_ending(output, *ENDINGS) == "parquet":
+            demand("parquet", "pyarrow", f"-o {output}")
+    if asked.scheduler:
+        demand("farm", "distributed", "--scheduler")
     document, _ = changed(read_design(asked.file), asked.changes)
     task = Sweep(document, plan(document, asked), asked.step, tuple(asked.values))
     processes = asked.processes if asked.processes is not None else os.cpu_count() or 1
@@ -118,8 +122,6 @@ def _store(task: Sweep, folder: Path) -> InFolder:
 def _to_file(task: Sweep, path: Path, asked: Namespace, processes: int) -> int:
     """The chunks are kept beside the file until it is whole."""
     as_parquet = path.suffix.lower() == ".parquet"
-    if as_parquet:
-        parquet()
     with asked_for(path):
         demand_writable(path)  # before anything is put beside it: a folder, or no name at all, has no such place
     store = _store(task, path.with_name(f"{path.name}.parts"))

@@ -12,7 +12,7 @@ from ..gears.layout.forces import axis_forces
 from ..gears.result import TrainResult
 from ..library.catalogue import Material, Oil, materials, oils
 from ..library.lubricant import Lubricant
-from ..sheet.arguments import check_arguments, demand_one_length, named
+from ..sheet.arguments import check_arguments, demand_alike, named
 from ..sheet.arrays import Array, Num
 from ..sheet.deferred import Later
 from ..sheet.record import replace
@@ -287,7 +287,7 @@ def solve_loss(
         temperature=(FrictionInputs.oil_temperature, temperature),
         flank_roughness=(FrictionInputs.flank_roughness, flank_roughness),
     )
-    demand_one_length("solve_loss", power=power, speed=speed, temperature=temperature)
+    demand_alike("solve_loss", power=power, speed=speed, temperature=temperature)
     mesh = next(iter(meshes_of(pair, materials()).values()))
     lubricant = Lubricant(oil if isinstance(oil, Oil) else named("solve_loss", "oil", oil, oils()))
     inputs = FrictionInputs(flank_roughness=(flank_roughness,))

@@ -6,7 +6,7 @@ for metres, kelvin for °C, bar for Pa."""
 
 import cmath
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, TypeGuard, TypeVar
 
 import numpy as np
@@ -42,12 +42,21 @@ def demand_numbers(call: str, **given: object) -> None:
     )
 
 
-def demand_one_length(call: str, **given: Any) -> None:
-    """Raises BadInput where some are arrays, but not of one length."""
+def demand_alike(call: str, most: int = 1, **given: Any) -> None:
+    """Raises BadInput where arrays among these have shapes that can not be put together, or more dimensions than `most`
+    (0: any number)."""
     shapes = {name: np.shape(number) for name, number in given.items() if np.ndim(number)}
-    needs = Text("must be numbers, or arrays of one length")
-    wrong = len(set(shapes.values())) > 1 or any(len(shape) > 1 for shape in shapes.values())
-    _raise(call, (InputError(0, name, f"shape {shape}", needs) for name, shape in shapes.items() if wrong))
+    needs = Text("must be a number, or an array as long as the others")
+    if not (_together(shapes.values()) and all(len(shape) <= (most or len(shape)) for shape in shapes.values())):
+        raise BadInput(call, [InputError(0, name, f"shape {shape}", needs) for name, shape in shapes.items()])
+
+
+def _together(shapes: Iterable[tuple[int, ...]]) -> bool:
+    try:
+        np.broadcast_shapes(*shapes)
+    except ValueError:
+        return False
+    return True
 
 
 NONE_VARIED: Mapping[str, object] = {}

@@ -20,6 +20,7 @@ from multiprocessing.connection import Connection
 from typing import Any, TypeVar
 
 from ..sheet.errors import NoSolution
+from ..sheet.extras import needs
 from ..sheet.text import Text
 from ..sheet.version import VERSION
 
@@ -125,8 +126,7 @@ def _farmed(
     try:
         dask: Any = import_module("distributed")
     except ImportError:
-        needs = Text("a scheduler needs dask.distributed, which the extra `contralbero[farm]` installs")
-        raise NoSolution(needs) from None
+        raise NoSolution(Text("a scheduler {needs}", needs=needs("farm"))) from None
     try:
         client = dask.Client(address, timeout=ANSWER)
     except (OSError, ValueError) as error:

@@ -11,6 +11,8 @@ from itertools import pairwise
 from typing import Any
 from xml.etree import ElementTree
 
+from calc.sheet.extras import needs
+
 from ..apart import Refused, demand
 from .revisions import revisions
 
@@ -33,7 +35,7 @@ def signers(raw: bytes, length: int) -> list[str]:
         from pyhanko.pdf_utils.reader import PdfFileReader
         from pyhanko.sign.diff_analysis import DEFAULT_DIFF_POLICY, DiffResult, ModificationLevel
     except ImportError:
-        raise Refused("pyHanko, which compares, is not installed: pip install 'contralbero[sign]'") from None
+        raise Refused(f"to compare them {needs('sign')}") from None
     logging.disable(logging.CRITICAL)  # it logs that nobody has told it whom to trust
     first, reader = PdfFileReader(io.BytesIO(raw[:length])), PdfFileReader(io.BytesIO(raw))
     xrefs: Any = reader.xrefs

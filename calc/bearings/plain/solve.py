@@ -12,7 +12,7 @@ from ...library.journal_rules import heat_index, specific_load, speed_factor
 from ...library.lubricant import Lubricant
 from ...library.oils import high_shear
 from ...library.tolerances import deviations, parse
-from ...sheet.arguments import check_arguments, named
+from ...sheet.arguments import check_arguments, demand_alike, named
 from ...sheet.arrays import Array, Num
 from ...sheet.linked_array import gathered, item
 from ...sheet.record import record, replace
@@ -372,7 +372,20 @@ def solve_film(
         hole_diameter=(BearingsInputs.hole_diameter, hole_diameter),
         load_speed_ratio=(BearingsInputs.load_speed_ratio, load_speed_ratio),
     )
-    row = named("solve_film", "oil", oil, oils()) if isinstance(oil, str) else oil
+    demand_alike(
+        "solve_film",
+        most=0,
+        diameter=diameter,
+        length=length,
+        clearance=clearance,
+        load=load,
+        speed=speed,
+        supply_temperature=supply_temperature,
+        supply_pressure=supply_pressure,
+        hole_diameter=hole_diameter,
+        load_speed_ratio=load_speed_ratio,
+    )
+    row = oil if isinstance(oil, Oil) else named("solve_film", "oil", oil, oils())
     of_journal, of_housing = (
         named("solve_film", argument, name, materials())
         for argument, name in (("journal", journal), ("housing", housing))

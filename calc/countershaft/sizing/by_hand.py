@@ -47,7 +47,8 @@ def size_stretches(
 
     Raises TooSmall where the envelope can not hold them, NoSolution where nothing is asked, no stretch is left, or
     force and couple point different ways and there are more than two; BadInput as `size_sectors`."""
-    demand_numbers("size_stretches", U=U, P=P, omega=omega)
+    ends = {f"where[{n}][{i}]": z for n, stretch in enumerate(where) for i, z in enumerate(stretch)}
+    demand_numbers("size_stretches", U=U, P=P, omega=omega, **ends)
     farthest = max((abs(z) for stretch in where for z in stretch), default=None)
     _check("size_stretches", rho, R, r_0, farthest, fillet)
     return stretches.size_stretches(U, P, omega, rho, R, r_0, where, fillet)

@@ -14,7 +14,7 @@ import numpy as np
 
 from ...countershaft.inputs import ShaftInputs
 from ...countershaft.outline import Outline
-from ...sheet.arguments import check_arguments, demand_numbers, demand_one_length
+from ...sheet.arguments import check_arguments, demand_alike, demand_numbers
 from ...sheet.arrays import Array, Num
 from ...sheet.formula import formula
 from ...sheet.functions import acos, largest, pi, resultant, smallest, sqrt
@@ -179,7 +179,7 @@ def mass_loss(
         shell_gap=(ShaftInputs.shell_gap, shell_gap),
     )
     demand_numbers("mass_loss", omega=omega, mu=mu)
-    demand_one_length("mass_loss", b=b, R=R, r_0=r_0)
+    demand_alike("mass_loss", b=b, R=R, r_0=r_0)
     return sectors_loss(b, R, r_0, omega, rho, mu, shell_gap)
 
 

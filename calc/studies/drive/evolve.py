@@ -19,6 +19,7 @@ from ...design.toml_file import design
 from ...library.journal_rules import USUAL_LENGTH_RATIO
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
+from ...sheet.extras import needs
 from ...sheet.text import Text
 from ...sheet.value import recorded
 from ...solve import Results, solve
@@ -33,8 +34,7 @@ EVALUATIONS = 1600  # whole solutions; the command line has its own
 LENGTH_STEP, CLEARANCE_STEP = 0.5, 5.0  # mm, µm
 NARROWEST = 0.5e-3  # of the diameter
 ABOUT = 0.1  # of the range of each variable: how far half of the first points lie about the design as it is
-INSTALL = "pip install 'contralbero[search]'"
-NEEDS = Text("needs the package pymoo: `{command}` installs it", command=INSTALL)
+NEEDS = needs("search")
 
 
 def may(problem: Problem) -> Text | None:

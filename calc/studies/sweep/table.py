@@ -22,6 +22,7 @@ from ...design.disk import EVERY, lock, opened, read_file
 from ...design.limits import CHUNK_BYTES, LOCK_SECONDS
 from ...design.toml_file import Document
 from ...sheet.errors import InputError, NoSolution
+from ...sheet.extras import needs
 from ...sheet.record import record, replace
 from ...sheet.text import Text
 from ...sheet.version import VERSION
@@ -340,8 +341,7 @@ def parquet() -> Any:
     try:
         return import_module("pyarrow"), import_module("pyarrow.parquet")
     except ImportError:
-        needs = Text("a Parquet file needs pyarrow, which the extra `contralbero[parquet]` installs")
-        raise NoSolution(needs) from None
+        raise NoSolution(Text("a Parquet file {needs}", needs=needs("parquet"))) from None
 
 
 def write_parquet(path: Path, document: Document, inputs: Sequence[Varied], store: Store) -> Counter[str]:

@@ -95,7 +95,7 @@ def test_work_that_is_given_up_is_not_waited_for() -> None:
 
 def test_a_scheduler_that_is_not_there_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("calc.studies.processes.ANSWER", 0.5)
-    with pytest.raises(NoSolution, match=r"no scheduler answers|needs dask"):
+    with pytest.raises(NoSolution, match=r"no scheduler answers|needs the extra `farm`"):
         list(spread(partial(slow, 0.0), int, range(2), scheduler="tcp://127.0.0.1:1"))
 
 

@@ -36,7 +36,7 @@ def test_what_is_missing_is_named() -> None:
 
 def test_a_package_that_is_needed_is_named_with_what_installs_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(able, "installed", lambda: False)
-    assert "needs the package pymoo: `pip install 'contralbero[search]'` installs it" in why("r753ie4_rolling")
+    assert "needs the extra `search`: pip install 'contralbero[search]'" in why("r753ie4_rolling")
     monkeypatch.setattr(able, "installed", lambda: True)
     assert why("r753ie4_rolling") == ""
 
