@@ -23,6 +23,7 @@ THREADS = ("OPENBLAS_NUM_THREADS", "1")
 # objects that are made before Python looks for those that hold each other alone, of which this program makes few: as
 # often as by default is a tenth of a check
 SELDOM = 20_000, 20, 100
+ROOM = 160 * 2**20  # bytes of addresses that any command takes
 CLOSED = 141  # as the system itself would end it: no verdict
 
 
@@ -31,6 +32,25 @@ def _meant(word: str | None) -> str | None:
     if word is None or os.path.exists(word):
         return None
     return next(iter(get_close_matches(word, COMMANDS, 1)), None)
+
+
+def _demand_room() -> None:
+    """Raises MemoryError where the memory of the process is limited to too little: numpy's algebra would end it with 1,
+    as a verdict does.  What that takes for itself it takes here, while there is room."""
+    try:
+        from mmap import mmap
+        from resource import RLIM_INFINITY, RLIMIT_AS, getrlimit
+    except ImportError:  # no such limit
+        return
+    if getrlimit(RLIMIT_AS)[0] == RLIM_INFINITY:
+        return
+    try:
+        mmap(-1, ROOM).close()
+    except OSError as error:
+        raise MemoryError("less than it takes to begin") from error
+    import numpy as np
+
+    np.ones((64, 64)) @ np.ones((64, 64))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -72,6 +92,7 @@ def command(given: list[str], own: bool) -> int:
         if own:
             os.environ.setdefault(*THREADS)
             gc.set_threshold(*SELDOM)
+            _demand_room()
         module = import_module(f"assistant.commands.{COMMANDS[asked.command].module}")
         return int(getattr(module, f"run_{asked.command}")(asked))
     except SystemExit as usage:

@@ -113,6 +113,9 @@ def targets_in(folder: str | None, files: Sequence[str], tail: str) -> dict[str,
         if file == STANDARD:
             raise BadInput(STANDARD, [InputError(0, "-o", "", Text("a design of standard input has no name; give -o"))])
         target = str(Path(folder or "") / f"{Path(file).stem}{tail}")
+        if target.startswith("-"):  # whoever names it next asks for an option
+            reason = Text("would be taken for an option; give -o another name, or a folder")
+            raise BadInput(file, [InputError(0, "-o", target, reason)])
         if target in targets.values():
             reason = Text("would be written for two designs; give them different names")
             raise BadInput(target, [InputError(0, "-o", "", reason)])

@@ -153,6 +153,8 @@ def test_many_reports_go_into_a_folder(folder: Path) -> None:
     assert sorted(path.name for path in (folder / "out").iterdir()) == ["a.pdf", "b.pdf"], "and no .bak"
     (folder / "a.toml").write_bytes(PAIR.read_bytes())
     assert "would be written for two designs" in run("report", good[0], "a.toml", *brief, cwd=folder).stderr
+    (folder / "-o.toml").write_bytes((folder / good[0]).read_bytes())
+    assert "-o.pdf: would be taken for an option" in run("report", "./-o.toml", cwd=folder).stderr
     assert "is one file, for 2 designs" in run("report", *good, "-o", "x.pdf", cwd=folder).stderr
 
 
