@@ -29,15 +29,16 @@ def check_arguments(call: str, **arguments: tuple[object, object]) -> None:
     _raise(call, (error for name, (key, given) in arguments.items() for error in _of_input(name, key, given)))
 
 
-def demand_numbers(call: str, **given: object) -> None:
-    """The same of numbers for which a file has no key: finite, real or complex, and no arrays; None is left out."""
+def demand_numbers(call: str, **given: Any) -> None:
+    """The same of numbers alone: finite, real or complex, and no arrays; None is left out."""
+    plain = {name: x.item() if getattr(x, "ndim", 1) == 0 else x for name, x in given.items() if x is not None}
     needs = Text("must be a finite number")
     _raise(
         call,
         (
             InputError(0, name, _as_given(number), needs)
-            for name, number in given.items()
-            if not (number is None or (isinstance(number, complex) and cmath.isfinite(number)) or _is_finite(number))
+            for name, number in plain.items()
+            if not (_is_finite(number) or (isinstance(number, complex) and cmath.isfinite(number)))
         ),
     )
 

@@ -55,6 +55,7 @@ def size_stretches(
 
 
 def _check(call: str, rho: float, R: float, r_0: float, z_max: float | None, fillet: float) -> None:
+    demand_numbers(call, rho=rho, R=R, r_0=r_0, z_max=z_max, fillet=fillet)
     check_arguments(
         call,
         rho=(Material.density, rho),

@@ -172,6 +172,7 @@ NOTHING_LEFT = countershaft.OrderVectors(0, 0, 0, 573)
         (lambda: countershaft.size_sectors(**SECTORS | {"C": np.array([1.0, 2.0])}), "C: .*must be a finite number"),
         (lambda: countershaft.size_sectors(**SECTORS | {"R": 10**400}), "R: .*must be"),
         (lambda: countershaft.size_sectors(**SECTORS | {"R": np.array([1, 2], dtype=object)}), "R: .*must be"),
+        (lambda: countershaft.size_sectors(**SECTORS | {"R": np.ones(2)}), "R: .*must be a finite number"),
         (lambda: countershaft.stretches(0.13, [(0.0, None), (np.nan, 0.1)]), r"gaps\[1\].z: nan: must be"),
         (lambda: countershaft.together({1: NOTHING_LEFT}, [countershaft.SystemShaft("a", 2, 0, 1)]), r"shafts\[0\].ratio"),
         (lambda: countershaft.together({3: NOTHING_LEFT}, [countershaft.SystemShaft("a", 3, 0, 1)]), "must be ±1 or ±2"),
