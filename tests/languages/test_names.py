@@ -42,7 +42,10 @@ def _renamed(data: Any, names: dict[str, str]) -> Any:
         return {key: _renamed(value, names) for key, value in data.items()}
     if isinstance(data, list):
         return [_renamed(item, names) for item in data]
-    return names.get(data, data) if isinstance(data, str) else data
+    if not isinstance(data, str):
+        return data
+    kind, _, name = data.partition(" ")  # "mass front", where the balancing sheet counts from
+    return f"mass {names[name]}" if kind == "mass" and name in names else names.get(data, data)
 
 
 def with_names(file: Path, words: tuple[str, ...]) -> Results:
