@@ -45,6 +45,24 @@ All files that hold places or directions share one right-handed frame, so that t
 - Products of inertia are −∫XY dm, about the centre of gravity.
 - Harmonics are a(t) = Re(â·e^(iΩt)) with Ω the order times the crank's speed, and t = 0 at the firing top dead centre of cylinder 1.
   Amplitudes are peaks: an rms value is smaller by √2.
+
+## Solids for CAD
+
+![A module, drawn from its STEP file: two balance shafts with their wheels, driven by the crank over one idler and over two](pictures/module.png)
+
+`--step` writes the shafts, one file each; a mirror image has its own where it is another part. With further options:
+
+- `--wheel NAME`: one wheel, cut as its tool cuts it: fillets and flanks as curves through points of their own, arcs as arcs. `--allowance max` or
+  `min` takes the teeth at an end of their allowance. `--blank` gives the cylinder of the reference diameter, which is what the program weighs.
+- `--teeth`: the teeth in place of the blank that the shaft has for its wheel. What that changes in mass and in moment of inertia is printed.
+- `--module`: all shafts and wheels where they stand, a named part each, with cylinder 1 at top dead centre. Every wheel that meshes has its tooth in the
+  gap of the other: that and the hands of the helices are those of the design. A wheel of no known place is left out, and named. The shafts' axes
+  come from `axis_mm`, or from `position_mm` of the wheel on them.
+- A shaft that turns inside its wheel, or ends before it, has the wheel as a body of its own.
+- Not in the solids: fillets of shoulders, threads, keys, and the web of a wheel of which the rim is given. `[[shafts.extras]]` are points for the results and no part
+  of the file either.
+
+What each solid weighs by the geometry kernel is printed beside the program's own numbers. Where they differ, nothing is written.
 """
 
 

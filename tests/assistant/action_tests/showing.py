@@ -209,6 +209,13 @@ async def not_counted(pilot: Pilot[int], do: Do) -> None:
 
 
 @deed
+async def fit(pilot: Pilot[int], do: Do) -> None:
+    await do()
+    await pilot.pause()
+    assert "This design has no [[fits]]." in told(pilot) and isinstance(pilot.app.screen, Workbench)
+
+
+@deed
 async def drive(pilot: Pilot[int], do: Do) -> None:
     """A design without bearings has no drive: that is said, and nothing is opened. Ready does not offer it either."""
     await do()

@@ -10,6 +10,7 @@ import pytest
 from calc.countershaft import checks as of_shaft
 from calc.countershaft import left_over
 from calc.countershaft import outline as drawn
+from calc.countershaft.balancing import checks as balancing
 from calc.countershaft.inputs import EccentricMass, Holes
 from calc.countershaft.insertion import rooms
 from calc.countershaft.making import bolts, drain, parts, scatter
@@ -635,8 +636,8 @@ def test_the_overlap_of_a_piece_within_another_is_its_whole_length():
 
 
 def test_every_check_of_the_step_has_its_case():
-    # of all shafts together: test_left_over.py, of the oil at rest: friction/test_each_check.py
-    elsewhere = {*map(id, vars(left_over).values()), id(OIL_LEVEL)}
+    # of all shafts together: test_left_over.py, of the oil at rest: friction/test_each_check.py; balancing/test_checks.py
+    elsewhere = {*map(id, (*vars(left_over).values(), *vars(balancing).values())), id(OIL_LEVEL)}
     declared = {rule for rule in RULES.values() if rule.id.startswith("countershaft.") and not rule.of_input}
     declared = {rule for rule in declared if id(rule) not in elsewhere}
     assert {outside().rule for *_, outside in CASES} == declared
