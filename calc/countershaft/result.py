@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from ..sheet.quantity import Stated, group, result, value, values
 from ..sheet.shown import Shown
+from ..sheet.text import Text
 from ..sheet.units import (
     Kilogram,
     KilogramMetre,
@@ -191,7 +192,18 @@ class CountershaftResult(Shown):
     bending: Bending | None = group(spread=True, default=None)
     tolerance: ToleranceResult | None = group(spread=True, default=None)
     holes: HolesResult | None = group(spread=True, default=None)
-    balancing: "BalancingResult | None" = group(default=None, words="balancing sheet")
+    balancing: "BalancingResult | None" = group(
+        default=None,
+        words="balancing sheet",
+        key_words={
+            "front": Text("front plane"),
+            "rear": Text("rear plane"),
+            "ring_front": Text("front ring"),
+            "ring_rear": Text("rear ring"),
+            "hole": Text("hole"),
+            "reading": Text("reading"),
+        },
+    )
     scatter: "ScatterResult | None" = group(default=None, words="scatter")
     bolts: "BoltsResult | None" = group(spread=True, default=None)
     further_bolts: "dict[str, BoltsResult] | None" = group(default=None, words="further bolts")

@@ -202,7 +202,7 @@ def belongs(id: str) -> list[Text]:
     for part in parts:
         word = known.get(f"{way}.{part}") or known.get(f"{step}.**.{part}")
         if step in OF_SHAFTS:  # behind the name of a shaft
-            word = word or known.get(f"{step}.{part}")
+            word = word or known.get(f"{way.replace('.*', '', 1)}.{part}")
         way = f"{way}.{part if word else '*'}"
         if word is None and step in NUMBERED_STEPS and (numbered := NUMBERED_ID.fullmatch(part)):
             kind, whole, more = numbered.groups()

@@ -87,14 +87,14 @@ class ReadingResult(Shown):
 
 @result
 class BalancingResult(Shown):
-    """The sheet of a shaft."""
+    """The sheet of a shaft; what its parts are called is said where the shaft's result has it."""
 
-    front: BalancingPlane = group(words="front plane")
-    rear: BalancingPlane = group(words="rear plane")
-    ring_front: BalancingRing = group(words="front ring")
-    ring_rear: BalancingRing = group(words="rear ring")
-    hole: dict[str, HoleTakes] = group(words="hole")
-    reading: dict[str, ReadingResult] = group(words="reading")
+    front: BalancingPlane = group()
+    rear: BalancingPlane = group()
+    ring_front: BalancingRing = group()
+    ring_rear: BalancingRing = group()
+    hole: dict[str, HoleTakes] = group()
+    reading: dict[str, ReadingResult] = group()
     inputs: Balancing
     zero: Radian  # from which the shop counts, in the engine
     sense: Number  # 1 where it counts in the sense of crank rotation, −1 against it
