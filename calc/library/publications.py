@@ -54,6 +54,7 @@ KINDS = {
     "energy": Text("follows from the conservation of energy: heat, work and power"),
     "physics": Text("a law of matter in its common form"),
     "mathematics": Text("follows by calculation alone: sums, extremes, vectors, statistics"),
+    "statistics": Text("follows from what was measured by the rules of chance"),
     "computed here": Text("comes out of this program's own solver"),
     "computed apart": Text("computed once by other means, to compare with"),
     "hand calculation": Text("calculated by hand, to compare with"),
