@@ -1,6 +1,6 @@
 """The mean and the spread of the runs of signs, counted out over all orders of them."""
 
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
@@ -13,6 +13,6 @@ def test_runs_are_counted_out(plus, minus):
     n, counts = plus + minus, []
     for chosen in combinations(range(n), plus):
         signs = [i in chosen for i in range(n)]
-        counts.append(1 + sum(a != b for a, b in zip(signs, signs[1:])))
+        counts.append(1 + sum(a != b for a, b in pairwise(signs)))
     mu = runs_expected(p=plus, m=minus)
     assert mu == pytest.approx(np.mean(counts)) and runs_spread(mu=mu, n=n) == pytest.approx(np.std(counts))
