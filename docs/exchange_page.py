@@ -27,6 +27,9 @@ An extra is installed by name: `pip install 'contralbero[dxf]'`. Without extras 
 The same design and the same version of the program give the same bytes: a file has no clock, no path, no random name. Where a format wants a date,
 it is that of the design's revision, else that of its preparation, else 1 January 2026.
 
+More of each: [solids for CAD](#solids-for-cad), [the train for gear programs](rexs.md), [loads](loads.md), [the balancing sheet](balancing.md).
+The way back: [what the bench measured](measurements.md), and [inputs found from it](fits.md).
+
 ## One frame for all files
 
 ![The axes of all files: up, to the side, along the crank](pictures/frame.png)
