@@ -110,11 +110,12 @@ def _module(asked: Request, solids: Solids) -> Written:
         if name in places and not (name in on and solids.has_wheel(on[name])):
             solid = solids.beside(name, solids.drawn(on[name])[0]) if name in on else solids.wheel(name)
             wheels.append((solid, places[name]))
-            said += table(solid)
+    parts = module_parts(shafts, wheels, solids.frame)
+    for (solid, _), part in zip(wheels, parts[len(shafts) :]):
+        said += table(solid, part.name)
     if left := [name for name in train if name not in places]:
         names = COMMA.join(Name(name) for name in left)
         said.append(Text("Left out, since where they stand is not known: {names}; give position_mm.", names=names))
-    parts = module_parts(shafts, wheels, solids.frame)
     kind = ["wheels as blanks of the reference diameter"] if solids.blank else _teeth(solids)
     words = _words(solids, *kind, "each part where it stands, with cylinder 1 at TDC")
     content = step_file(parts, asked.path.name, date_of(solids.design), words, solids.design.name)

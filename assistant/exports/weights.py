@@ -10,9 +10,10 @@ ATOM = 1e-7  # mm
 COLUMNS = ("cm³", "kg", "X mm", "Y mm", "Z mm", "J_XX kg·mm²", "J_YY", "J_ZZ", "J_XY", "J_YZ", "J_ZX")
 
 
-def table(solid: WeighedPart) -> Iterator[Text]:
-    """A line for each solid, the whole, and the same by the program; then how far they are apart."""
-    lines = [(one.name, _numbers(one)) for one in solid.solids]
+def table(solid: WeighedPart, called: str = "") -> Iterator[Text]:
+    """A line for each solid, the whole, and the same by the program; then how far they are apart.  `called`: what a
+    single solid is called in the file, where that is not its own name."""
+    lines = [(called or one.name, _numbers(one)) for one in solid.solids]
     if len(lines) > 1:
         lines.append((str(Text("together")), _numbers(solid.whole)))
     if solid.holes:
