@@ -150,8 +150,13 @@ class PathDialog(Once, ModalScreen[Found]):
             )
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        """Of this class alone: the toolkit calls the handlers of all classes of a dialog, and not the last one."""
         event.stop()
-        name = self._names[event.option_index]
+        self.pick(event.option_index)
+
+    def pick(self, row: int) -> None:
+        """A row of the list was chosen."""
+        name = self._names[row]
         box = self.query_one("#path", Input)
         box.value = name
         box.cursor_position = len(name)
@@ -409,9 +414,8 @@ class ExportDialog(TargetDialog):
                 shown = self.app.say(Text("{shown}: {reason}", shown=Name(shown), reason=row.reason))
             options.add_option(Option(Content(shown), disabled=row.reason is not None))
 
-    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
-        event.stop()
-        self.chosen = self.offered_rows[event.option_index]
+    def pick(self, row: int) -> None:
+        self.chosen = self.offered_rows[row]
         box = self.query_one("#path", Input)
         folder = box.value[: max(box.value.rfind("/"), box.value.rfind("\\")) + 1]
         box.value = f"{folder}{self.stem}{self.chosen.tail}"

@@ -17,7 +17,7 @@ from assistant.app import ContralberoApp
 from assistant.exports.offered import FileRow, write_draft
 from assistant.screens.dialogs import Ask
 from assistant.screens.palette import entries
-from assistant.screens.path_dialogs import OpenDialog, PathDialog
+from assistant.screens.path_dialogs import ExportDialog, OpenDialog, PathDialog
 from assistant.screens.workbench import Workbench
 from assistant.session.recovery import Memory, Settings
 from assistant.session.session import EXAMPLE, Session
@@ -154,6 +154,19 @@ async def test_values_and_results_are_exported(
     assert "\nengine.stroke,107" in text if kind == "csv" else json.loads(text)["steps"]["engine"] == "computed"
 
 
+async def test_a_row_of_the_list_gives_its_name_to_the_file(screen: Screen, small: Session) -> None:
+    """No other handler of the list is called beside that of the dialog."""
+    async with screen(size=(80, 24), session=small) as pilot:
+        await pilot.press("escape", "E")
+        asked = await dialog(pilot)
+        assert isinstance(asked, ExportDialog)
+        writable = [row for row in asked.offered_rows if row.reason is None]
+        await pilot.press("down", "down", "enter")
+        box = asked.query_one("#path", Input)
+        await until(pilot, lambda: box.value == f"{small.home.stem}{writable[1].tail}")
+        assert pilot.app.screen is asked and box.has_focus
+
+
 @pytest.mark.slow
 async def test_an_ending_that_says_nothing_and_a_file_that_is_there(
     screen: Screen, small: Session, tmp_path: Path
@@ -161,8 +174,8 @@ async def test_an_ending_that_says_nothing_and_a_file_that_is_there(
     (tmp_path / "there.csv").write_text("theirs", encoding="utf-8")
     async with screen(size=(80, 24), session=small) as pilot:
         await pilot.press("escape", "E")
-        await give(pilot, tmp_path / "out.step")
-        assert "ending .step is not known" in str(pilot.app.screen.query_one("#wrong").render())
+        await give(pilot, tmp_path / "out.iges")
+        assert "ending .iges is not known" in str(pilot.app.screen.query_one("#wrong").render())
         await give(pilot, tmp_path / "there.csv")
         assert "exists" in str(pilot.app.screen.query_one("#wrong").render())
         await strike(pilot, "enter")
