@@ -16,6 +16,9 @@ from calc.studies.balancing import asked, table_rows
 def lacks(wanted: Request) -> InputError | None:
     design, results = wanted.results.design, wanted.results
     shafts = [shaft for shaft in design.shafts if shaft.balancing is not None]
+    if not design.shafts:
+        add = Text("needed for the balancing sheet: add [[shafts]], with the empty table [shafts.balancing] below it")
+        return InputError(0, dotted(Design.shafts), "", add)
     if not shafts:
         add = Text("needed for the balancing sheet: the empty table [shafts.balancing] below its [[shafts]] is enough")
         return InputError(0, dotted(Design.shafts), "", add)
