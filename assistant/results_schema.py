@@ -250,7 +250,7 @@ def _run_column() -> Schema:
         "",
         {
             "speed_rpm": _number("Of the crank."),
-            "conditions": _by("What inputs were.", "the key of an input", _number("In SI, temperatures in °C.")),
+            "conditions": _by("What inputs were.", "the key of an input", _number("In the unit of the key.")),
             "rows": _count("Of the file."),
             "measured": _number("Their mean."),
             "uncertainty": _number("Standard uncertainty; null: none is given."),

@@ -532,7 +532,7 @@ def _column_json(column: "ColumnResult") -> dict[str, Any]:
         "nodes": [
             {
                 "speed_rpm": float(target.nodes.speed[i]) * 60,
-                "conditions": {key: float(numbers[i]) for key, numbers in target.nodes.conditions.items()},
+                "conditions": {key: float(numbers[i]) for key, numbers in target.conditions.items()},
                 "rows": int(target.nodes.rows[i]),
                 "measured": at(target.y, i),
                 "uncertainty": at(target.sigma, i),

@@ -31,7 +31,8 @@ NO_KEY = Text("is no number of this design")
 @record
 class Target:
     """A column of a run, node by node in the unit of its value: what is to be predicted.  `y`, `sigma`, `common`: mean,
-    standard uncertainty and the error that all nodes share (None: not given); NaN where nothing was measured."""
+    standard uncertainty and the error that all nodes share (None: not given); NaN where nothing was measured.
+    `conditions`: what inputs were, by their keys and in the units of these."""
 
     run: str
     column: str
@@ -39,6 +40,7 @@ class Target:
     unit: str
     label: Text
     nodes: Nodes
+    conditions: Mapping[str, Array]
     y: Array
     sigma: Array | None
     common: Array | None
@@ -111,8 +113,9 @@ def targets(design: Design, solved: Solved, runs: Sequence[str] = ()) -> list[Ta
     for run, rows in zip(design.measurements, design.runs):
         if runs and run.name not in runs:
             continue
-        hot = frozenset(c.key for c in run.conditions if (a := content_at(design, c.key)[1]) and a.unit == "°C")
-        nodes = nodes_of(rows, hot)
+        inputs = {c.key: about for c in run.conditions if (about := content_at(design, c.key)[1]) is not None}
+        nodes = nodes_of(rows, frozenset(key for key, about in inputs.items() if about.unit == "°C"))
+        conditions = {key: about.units.all_shown(nodes.conditions[key]) for key, about in inputs.items()}
         for column, name in zip(run.columns, run.column_names):
             sources = [Source(design, solved, id) for id in column.value]
             here = nodes.columns[name]
@@ -130,6 +133,7 @@ def targets(design: Design, solved: Solved, runs: Sequence[str] = ()) -> list[Ta
                     sources[0].unit,
                     sources[0].label if len(sources) == 1 else sum_label(sources),
                     nodes,
+                    conditions,
                     factor * (here.y + zero),
                     None if here.sigma is None else abs(factor) * here.sigma,
                     None if here.common is None else factor * here.common,

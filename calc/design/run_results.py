@@ -189,7 +189,7 @@ class ColumnResult:
     def table(self) -> Table:
         """Node by node."""
         target, nodes = self.target, self.target.nodes
-        unit, conditions = target.unit, list(nodes.conditions)
+        unit, conditions = target.unit, target.conditions
         columns = [(Text("Speed"), "rpm"), *((Name(key), "") for key in conditions), (Text("Rows"), "")]
         columns += [(Text("Measured"), unit), (Text("Uncertainty"), self.unit)]
         if target.common is not None:
@@ -200,7 +200,7 @@ class ColumnResult:
             sigma = None if target.sigma is None else _number(target.sigma[i])
             r = _number(self.found.r[i])
             row: list[str | float | None] = [float(nodes.speed[i]) * 60]
-            row += [float(nodes.conditions[key][i]) for key in conditions]
+            row += [float(numbers[i]) for numbers in conditions.values()]
             row += [float(nodes.rows[i]), float(target.y[i]), sigma]
             if target.common is not None:
                 row.append(_number(target.common[i]))

@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from assistant.results_text import _column_json
 from calc.design.predicted import at_speed
 from calc.design.predicted_runs import changed_design, predictions, targets
 from calc.design.toml_file import Document, design, read
@@ -71,6 +72,15 @@ def test_a_measurement_never_makes_a_design_fail_and_can_be_accepted():
 def test_without_uncertainty_it_is_not_verified():
     (check,) = solved({**RUN, "columns": [{"column": "P", "value": LOSS}]}).runs.checks
     assert check.id == "measured.run.couple-backward" and check.verdict == "not_verified"
+
+
+def test_a_condition_is_told_in_the_unit_of_its_key():
+    bore = {"column": "b", "key": "engine.bore_mm"}
+    results = solved({**RUN, "conditions": [bore]}, files={"run.csv": b"n;b;P\nrpm;cm;\n2600;9.4;560\n"})
+    (column,) = results.runs.columns
+    title, row = [title for title, _ in column.table.columns].index("engine.bore_mm"), column.table.rows[0]
+    assert row[title] == pytest.approx(94.0)
+    assert _column_json(column)["nodes"][0]["conditions"] == {"engine.bore_mm": pytest.approx(94.0)}
 
 
 def test_a_condition_sets_an_input_row_by_row():
