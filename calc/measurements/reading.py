@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import Any
 
+from ..sheet.quantity import LARGEST, SMALLEST
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.visible import visible
@@ -24,6 +25,7 @@ SEPARATORS = (";", "\t", ",")
 COMMA = re.compile(r"[+-]?\d+,\d+([eE][+-]?\d+)?")
 POINT = re.compile(r"[+-]?(\d+\.\d*|\.\d+)([eE][+-]?\d+)?")
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+QUOTED = re.compile(r'"[^"]*"')
 EMPTY_CELLS = ("", "nan")
 
 
@@ -74,6 +76,13 @@ class RunFile:
         number = float(cell)
         if math.isinf(number):
             raise Unread(Text("line {line}: column {column} is infinite", line=self.lines[row], column=named(column)))
+        if number and not SMALLEST <= abs(number) <= LARGEST:
+            beyond = Text(
+                "line {line}: column {column}: a number must be 0 or of a size from 1e-30 to 1e30",
+                line=self.lines[row],
+                column=named(column),
+            )
+            raise Unread(beyond)
         return number
 
 
@@ -107,7 +116,7 @@ def read_csv(raw: bytes, digest: str = "") -> RunFile:
     (_, header), *rows = [(n, _cells(line, separator)) for n, line in lines]
     names = _names(header)
     units: dict[str, str] = {}
-    if rows and not any(_numeric(cell) for cell in rows[0][1]):
+    if rows and _of_units(rows[0][1]):
         units = {name: canonical(unit) for name, unit in zip(names, rows[0][1]) if unit.strip()}
         del rows[0]
     if len(rows) > ROWS:
@@ -128,8 +137,8 @@ def _too_many(count: int) -> Text:
 
 
 def _separator(header: str) -> str:
-    counts = Counter({sign: header.count(sign) for sign in SEPARATORS})
-    return max(SEPARATORS, key=lambda sign: counts[sign])  # of as many of two the first
+    bare = QUOTED.sub("", header)
+    return max(SEPARATORS, key=bare.count)  # of as many of two the first
 
 
 def _cells(line: str, separator: str) -> list[str]:
@@ -146,6 +155,11 @@ def _names(header: Sequence[str]) -> list[str]:
     if twice:
         raise Unread(Text("has the column {name} twice; give each a name of its own", name=named(twice[0])))
     return list(header)
+
+
+def _of_units(cells: Sequence[str]) -> bool:
+    """Whether they are a line of units, and not a row; one in which nothing was measured is a row."""
+    return any(cell.lower() not in EMPTY_CELLS for cell in cells) and not any(map(_numeric, cells))
 
 
 def _numeric(cell: str) -> bool:

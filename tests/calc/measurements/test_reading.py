@@ -36,6 +36,18 @@ def test_latin_1_and_a_line_of_units():
     assert file.lines == [3]
 
 
+@pytest.mark.parametrize("cells", [b"nan;nan", b";", b"NaN;"])
+def test_a_first_row_in_which_nothing_was_measured_is_no_line_of_units(cells):
+    file = read_csv(b"n;P\n" + cells + b"\n900;19,5\n")
+    assert not file.units and file.lines == [2, 3]
+    assert math.isnan(file.numbers("n")[0]) and file.numbers("P")[1] == 19.5
+
+
+def test_what_stands_in_quotes_separates_no_columns():
+    assert list(read_csv(b'"P; of both, W",n\n1,2\n').columns) == ["P; of both, W", "n"]
+    assert list(read_csv(b'"n, 1/min";"P, W"\n1;2\n').columns) == ["n, 1/min", "P, W"]
+
+
 def test_a_comma_between_cells_is_no_decimal_comma():
     assert read_csv(b"a,b\n1,5\n2,6\n").numbers("a") == [1.0, 2.0]
 
@@ -60,7 +72,13 @@ def test_what_is_no_run_says_why(raw, words):
 
 
 @pytest.mark.parametrize(
-    "cell, words", [("off", 'line 3: "off" in column P'), ("1e999", "line 3: column P is infinite")]
+    "cell, words",
+    [
+        ("off", 'line 3: "off" in column P'),
+        ("1e999", "line 3: column P is infinite"),
+        ("1e300", "line 3: column P: a number must be 0 or of a size from 1e-30 to 1e30"),
+        ("-1e-200", "a size from 1e-30"),
+    ],
 )
 def test_what_is_no_number_is_said_with_its_line(cell, words):
     file = read_csv(f"n;P\n900;1\n1200;{cell}\n".encode())
