@@ -38,7 +38,9 @@ def lacks(asked: Request) -> InputError | None:
         names = ", ".join(wheel.name for wheel in design.gears.wheels)
         reason = Text("there is no shaft; --wheel NAME writes a wheel: {wheels}", wheels=names)
         return InputError(0, "--step", "", reason)
-    wrong = (lacking for name, view in views(asked.results) if (lacking := no_outline(asked, view, name)))
+    only = {shaft.of or shaft.name for shaft in design.resolved if shaft.name == options.get("shaft")}
+    seen = ((name, view) for name, view in views(asked.results) if not only or name in ("", *only))
+    wrong = (lacking for name, view in seen if (lacking := no_outline(asked, view, name)))
     return next(wrong, next(iter(_nowhere(asked)), None) if options.get("module") else None)
 
 
@@ -146,6 +148,8 @@ def _wrong(asked: Request) -> Iterator[InputError]:
         yield InputError(
             0, "--teeth", "", Text("puts teeth on the shaft's own wheel: give it without {key}", key=other)
         )
+    if options.get("drilled") and (wheel or not shafts):
+        yield InputError(0, "--drilled", "", Text("is for shafts: give it without --wheel, of a design with a shaft"))
     if solids.blank and not (wheel or module):
         yield InputError(0, "--blank", "", Text("is for wheels: give --wheel NAME or --module with it"))
     if solids.end:

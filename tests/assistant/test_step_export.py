@@ -82,6 +82,20 @@ def test_one_shaft_by_its_name_and_with_its_holes(run):
     assert b"CONICAL_SURFACE" in files["out.step"]
 
 
+def test_one_shaft_by_its_name_asks_nothing_of_the_others(run):
+    pytest.importorskip("OCP")
+    bare = 'mode = "given"\nmaterial = "42CrMo4"\nspeed_ratio = -1\n' + "".join(
+        f'[[shafts.bearings]]\nname = "{name}"\nposition_mm = {z}\n' for name, z in (("a", -60.0), ("b", 60.0))
+    )
+    text = pair(
+        twin=bare + '[[shafts.masses]]\nname = "m"\nmass_kg = 0.5\nradius_mm = 15.0\nangle_deg = 0.0\nz_mm = 0.0'
+    )
+    assert "shafts.right: the shaft's outline is not known" in run(text, "--step")[2]
+    code, files, said = run(text, "--step", "--shaft", "left")
+    assert code == 0 and list(files) == ["out.step"], said
+    assert "shafts.right: the shaft's outline is not known" in run(text, "--step", "--shaft", "right")[2]
+
+
 @pytest.mark.parametrize(
     "text, options, told",
     [

@@ -54,6 +54,7 @@ def test_a_module_asks_for_the_axes(run):
 def test_blanks_have_no_allowance_and_shafts_no_blank(run):
     assert "is for teeth" in run(GAMMA, "--wheel", "idler", "--blank", "--allowance", "max")[2]
     assert "is for wheels" in run(GAMMA, "--blank")[2]
+    assert "--drilled: is for shafts" in run(GAMMA, "--wheel", "idler", "--drilled")[2].replace(" = ", ": ")
 
 
 def test_one_part_is_asked_for(run):
