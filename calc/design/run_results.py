@@ -55,6 +55,15 @@ class ColumnResult:
         return self.nodes - self.found.used
 
     @property
+    def weightless(self) -> int:
+        """Of those that are compared the ones whose uncertainty is 0, beside others that have one: they have no part in
+        χ²."""
+        sigma = self.target.sigma
+        if sigma is None or self.found.chi2_reduced is None:
+            return 0
+        return int((np.isfinite(self.found.r) & ~(sigma > 0)).sum())
+
+    @property
     def words(self) -> Text:
         """`P agrees, bias −1.2 W (7 nodes)`."""
         parts = [Text("{column} {verdict}", column=Name(self.target.column), verdict=self.found.words)]
@@ -66,6 +75,8 @@ class ColumnResult:
         nodes = plural("{n} node", "{n} nodes", n=self.nodes)
         if self.lost:
             nodes += Text(", at {n} of them nothing is predicted", n=self.lost)
+        if self.weightless:
+            nodes += Text(", {n} of them not judged: their uncertainty is 0", n=self.weightless)
         return Text("{words} ({nodes})", words=COMMA.join(parts), nodes=nodes)
 
     @property
@@ -97,6 +108,14 @@ class ColumnResult:
             )
         if self.lost:
             words.append(plural("At {n} node nothing is predicted.", "At {n} nodes nothing is predicted.", n=self.lost))
+        if self.weightless:
+            words.append(
+                plural(
+                    "{n} node has no part in χ²: its uncertainty is 0.",
+                    "{n} nodes have no part in χ²: their uncertainty is 0.",
+                    n=self.weightless,
+                )
+            )
         return SPACE.join(words)
 
     def numbers(self) -> dict[str, Stated]:

@@ -74,6 +74,15 @@ def test_without_uncertainty_it_is_not_verified():
     assert check.id == "measured.run.couple-backward" and check.verdict == "not_verified"
 
 
+def test_a_node_without_weight_is_said():
+    relative = {key: x for key, x in P.items() if key != "uncertainty"} | {"uncertainty_percent": 5}
+    results = solved({**RUN, "columns": [relative]}, files={"run.csv": b"n;P\n1300;0\n2600;560\n"})
+    (column,) = results.runs.columns
+    assert "(2 nodes, 1 of them not judged: their uncertainty is 0)" in column.words
+    assert "1 node has no part in χ²" in column.sentence
+    assert "χ²:" not in solved(RUN).runs.columns[0].sentence
+
+
 def test_a_condition_is_told_in_the_unit_of_its_key():
     bore = {"column": "b", "key": "engine.bore_mm"}
     results = solved({**RUN, "conditions": [bore]}, files={"run.csv": b"n;b;P\nrpm;cm;\n2600;9.4;560\n"})
