@@ -25,7 +25,6 @@ from .predicted import at_speed
 
 Solved = Any
 Solve = Callable[..., Solved]
-NO_KEY = Text("is no number of this design")
 
 
 @record
