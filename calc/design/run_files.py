@@ -46,18 +46,21 @@ def read_runs(
     return tuple(found), problems
 
 
-_known: dict[str, tuple[Measurement, RunFile, tuple[RunRows | None, list[tuple[str, Text]]]]] = {}
+_Found = tuple[RunRows | None, list[tuple[str, Text]]]
+_known: dict[str, tuple[tuple[Measurement, dict[str, str]], RunFile, _Found]] = {}
 
 
-def _rows(design: Design, run: Measurement, raw: bytes, file: RunFile) -> tuple[RunRows | None, list[tuple[str, Text]]]:
-    """The rows of a run, made once for all designs that say the same of the same file."""
+def _rows(design: Design, run: Measurement, raw: bytes, file: RunFile) -> _Found:
+    """The rows of a run, made once for all designs that say the same of the same file, and in which its conditions have
+    the same units: one that lacks such an input has none."""
+    says = run, {condition.key: _unit(design, condition.key) for condition in run.conditions}
     before, of, found = _known.get(run.name, (None, None, (None, [])))
-    if before == run and of is file:
+    if before == says and of is file:
         return found
-    found = rows_of(run, file, lambda key: _unit(design, key), raw)
+    found = rows_of(run, file, lambda key: says[1][key], raw)
     if len(_known) >= KEPT:
         _known.clear()
-    _known[run.name] = run, file, found
+    _known[run.name] = says, file, found
     return found
 
 

@@ -250,6 +250,16 @@ def test_what_stands_in_a_file_does_not_reach_the_terminal_as_it_is():
     assert "\x1b" not in "".join(wrong.values()) and "no such column" in wrong["measurements.0.columns.0.column"]
 
 
+def test_rows_are_made_anew_where_a_condition_has_its_unit_at_last(tmp_path):
+    (tmp_path / "run.csv").write_bytes(b"n;b;P\n2600;94;560\n")
+    run = {**RUN, "conditions": [{"column": "b", "key": "engine.bore_mm"}]}
+    without = {key: table for key, table in SMALL.items() if key != "engine"}
+    with pytest.raises(BadInput, match="add \\[engine\\]"):
+        design(Document(without | {"measurements": [run]}, str(tmp_path / "a.toml")))
+    whole = design(Document(SMALL | {"measurements": [run]}, str(tmp_path / "a.toml")))
+    assert whole.runs[0].conditions == {"engine.bore_mm": (pytest.approx(0.094),)}
+
+
 def test_all_of_it_is_said_at_once():
     first = {**RUN, "file": "gone.csv", "columns": [{**P, "uncertainty": -1}]}
     assert set(errors(first, {**RUN, "speed": "m"}, **{"engine.bore_mm": -1.0})) == {
