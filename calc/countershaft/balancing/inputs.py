@@ -16,6 +16,7 @@ ENGINE, OF_MASS = "engine", "mass "  # the words of `zero`, the second before a 
 MOST_HOLES = 12
 SERIAL = re.compile(r"[A-Za-z0-9-]+")
 SIMILAR = 1e-9  # m
+WIDEST = 720  # degrees, of all angles here
 
 
 @inputs
@@ -29,7 +30,7 @@ class BalancingHole:
     angle: float = quantity(
         "Angle",
         "°",
-        within=(-720, 720),
+        within=(-WIDEST, WIDEST),
         symbol="phi_k",
         step=1,
         help="As those of the masses: with cylinder 1 at TDC, from up, in the sense of crank rotation.",
@@ -62,11 +63,11 @@ class MachineReading:
     serial: str = text("Serial number", help="Letters, digits and hyphens.")
     front: float = quantity("Unbalance, front plane", "g·mm", within=(0, 1e8), help="At the first bearing.")
     front_: float = quantity(
-        "its angle", "°", within=(-720, 720), help="From the shop's zero, in the sense in which the shop counts."
+        "its angle", "°", within=(-WIDEST, WIDEST), help="From the shop's zero, in the sense in which the shop counts."
     )
     rear: float = quantity("Unbalance, rear plane", "g·mm", within=(0, 1e8), help="At the last bearing.")
     rear_: float = quantity(
-        "its angle", "°", within=(-720, 720), help="From the shop's zero, in the sense in which the shop counts."
+        "its angle", "°", within=(-WIDEST, WIDEST), help="From the shop's zero, in the sense in which the shop counts."
     )
     kind: str = choice(
         "What was read",
@@ -189,7 +190,7 @@ class Balancing:
             degrees = float(self.zero)
         except ValueError:
             return angles.get(self.zero.removeprefix(OF_MASS), angles.get(self.zero))
-        return math.radians(degrees) if math.isfinite(degrees) else None
+        return math.radians(degrees) if abs(degrees) <= WIDEST else None
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         rings = self.ring_positions
@@ -221,7 +222,10 @@ def problems(
     its given sections; the outer radius of its sectors elsewhere."""
     if angles and table.zero_angle(angles) is None:
         of = ", ".join(f'"{OF_MASS}{name}"' for name in angles)
-        yield dotted(Balancing.zero), Text('must be "engine", an angle in degrees, or one of {masses}', masses=of)
+        yield (
+            dotted(Balancing.zero),
+            Text('must be "engine", an angle from -720 to 720 degrees, or one of {masses}', masses=of),
+        )
     for i, hole in enumerate(table.holes):
         yield from ((dotted(Balancing.holes, i, key), why) for key, why in _hole(hole, sections, outer_radius))
 

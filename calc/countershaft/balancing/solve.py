@@ -176,6 +176,8 @@ def _drill(
     """A hole with what stands around it; None where its outer radius is not known."""
     name, z, angle, diameter, depth, point = size
     piece, stretched = _piece(made.outline, z), stretch(made.outline, z)
+    if stretched is None:  # in none: it breaks out of the nearest one
+        stretched = min(_stretches(made.outline), key=lambda run: max(run[0] - z, z - run[1]), default=None)
     R = radius if radius is not None else piece.outer_radius if piece is not None else made.R
     if R is None:
         return None
@@ -209,8 +211,13 @@ def _piece(outline: Outline | None, z: Metre) -> Piece | None:
 
 def stretch(outline: Outline | None, z: Metre) -> tuple[Metre, Metre] | None:
     """Where the sector at a place begins and ends, with those of its angle that touch it; None where there is none."""
+    return next((run for run in _stretches(outline) if run[0] - TOUCH <= z <= run[1] + TOUCH), None)
+
+
+def _stretches(outline: Outline | None) -> list[tuple[Metre, Metre]]:
+    """Where sectors begin and end."""
     if outline is None:
-        return None
+        return []
     runs: list[list[Piece]] = []
     for before, piece in pairwise((None, *outline.pieces)):
         assert piece is not None
@@ -220,8 +227,7 @@ def stretch(outline: Outline | None, z: Metre) -> tuple[Metre, Metre] | None:
             runs[-1].append(piece)
         else:
             runs.append([piece])
-    run = next((run for run in runs if run[0].start - TOUCH <= z <= run[-1].end + TOUCH), None)
-    return None if run is None else (run[0].start, run[-1].end)
+    return [(run[0].start, run[-1].end) for run in runs]
 
 
 def _own_stretch(made: Made, mass: EccentricMass) -> tuple[Metre, Metre] | None:

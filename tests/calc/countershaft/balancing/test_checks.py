@@ -128,6 +128,14 @@ def test_masses_whose_sectors_touch_have_a_row_each():
     assert z == pytest.approx([-41.25, -13.75, 13.75, 41.25])
 
 
+@pytest.mark.parametrize("z", [-0.075, 0.08])
+def test_a_hole_in_no_sector_breaks_out_of_the_nearest(z):
+    drilled = hole("a", z * 1e3, 0.0, 8.0, 5.0, radius=0.04)
+    found = sheet_of(shaft(), Balancing(holes=(drilled,)), PER, outline=outlined(start=-60.0, end=60.0))
+    (each,) = found.hole.values()
+    assert least_room([each.drill])[0] == pytest.approx(0.06 - abs(z) - 0.004)
+
+
 # --- bad input
 
 
@@ -163,3 +171,4 @@ def test_all_that_is_wrong_is_said_at_once():
     }
     assert '"mass front", "mass rear"' in found["zero"] and "−100 … −16" in found["holes.0.z_mm"].replace("-", "−")
     assert errors("ring_positions_mm = [5]").keys() == {"ring_positions_mm"}
+    assert "from -720 to 720 degrees" in errors("zero = 1e308")["zero"]
