@@ -96,6 +96,8 @@ def value_problems(design: Design, solved: Solved) -> Iterator[tuple[str, Text]]
                 unlike = Text("are in unlike units: {units}", units=", ".join(sorted(units)))
                 yield dotted(here, MeasuredColumn.value), unlike
                 continue
+            if column.peak and not all("rms" in source.label for source in sources):
+                yield dotted(here, MeasuredColumn.peak), Text("is for a value that is an rms, and this one is none")
             given = rows.columns[name].unit if rows is not None else None
             if given is not None and conversion(given, sources[0].unit) is None:
                 other = Text(

@@ -34,11 +34,11 @@ def read_runs(
             continue  # said already
         here = dotted(Design.measurements, n)
         try:
-            raw, file = _file(run, folder, files)
+            kept, file = _file(run, folder, files)
         except Unread as why:
             problems.append((dotted(here, Measurement.file), why.text))
             continue
-        rows, wrong = _rows(design, run, raw, file)
+        rows, wrong = _rows(design, run, kept, file)
         problems += [(dotted(here, key), reason) for key, reason in wrong]
         if rows is not None:
             found.append(rows)
@@ -50,14 +50,14 @@ _Found = tuple[RunRows | None, list[tuple[str, Text]]]
 _known: dict[str, tuple[tuple[Measurement, dict[str, str]], RunFile, _Found]] = {}
 
 
-def _rows(design: Design, run: Measurement, raw: bytes, file: RunFile) -> _Found:
+def _rows(design: Design, run: Measurement, kept: bytes, file: RunFile) -> _Found:
     """The rows of a run, made once for all designs that say the same of the same file, and in which its conditions have
     the same units: one that lacks such an input has none."""
     says = run, {condition.key: _unit(design, condition.key) for condition in run.conditions}
     before, of, found = _known.get(run.name, (None, None, (None, [])))
     if before == says and of is file:
         return found
-    found = rows_of(run, file, lambda key: says[1][key], raw)
+    found = rows_of(run, file, lambda key: says[1][key], kept)
     if len(_known) >= KEPT:
         _known.clear()
     _known[run.name] = says, file, found
@@ -87,6 +87,7 @@ def _beyond(design: Design, run: Measurement, rows: RunRows) -> Iterable[tuple[s
 
 
 def _file(run: Measurement, folder: Path, files: Mapping[str, bytes]) -> tuple[bytes, RunFile]:
+    """Its rows, and the bytes that a report has kept of it: of those alone it is believed what file they were of."""
     name = run.file
     if (raw := files.get(run.name, files.get(name))) is not None:
         return raw, read_run(raw, ".csv")
@@ -96,16 +97,15 @@ def _file(run: Measurement, folder: Path, files: Mapping[str, bytes]) -> tuple[b
         raise Unread(Text("leads out of the folder of the design by a link; put the file beside the design"))
     try:
         about = os.stat(path)
-        return _read(path, Path(name).suffix.lower(), about.st_mtime_ns, about.st_size)
+        return b"", _read(path, Path(name).suffix.lower(), about.st_mtime_ns, about.st_size)
     except OSError as error:
         raise Unread(_not_read(error, folder)) from None
 
 
 @lru_cache(KEPT)
-def _read(path: str, ending: str, changed: int, size: int) -> tuple[bytes, RunFile]:
+def _read(path: str, ending: str, changed: int, size: int) -> RunFile:
     """`changed`, `size`: by which it is told whether it is still the same."""
-    raw = read_file(path, BYTES)
-    return raw, read_run(raw, ending)
+    return read_run(read_file(path, BYTES), ending)
 
 
 def _not_read(error: OSError, folder: Path) -> Text:

@@ -58,10 +58,10 @@ class RunRows:
 
 
 def rows_of(
-    run: Measurement, file: RunFile, unit_of_key: Callable[[str], str], raw: bytes
+    run: Measurement, file: RunFile, unit_of_key: Callable[[str], str], kept: bytes = b""
 ) -> tuple[RunRows | None, list[Problem]]:
     """The rows of a run in its file, or what is wrong with either.  `unit_of_key`: that of an input, in which a
-    condition is where the file says none; `raw`: the bytes of the file."""
+    condition is where the file says none; `kept`: the bytes of a file that a report has inside."""
     reader = _Rows(run, file)
     n = len(file.lines)
     if run.speed is not None:
@@ -81,8 +81,8 @@ def rows_of(
     used = [i for i in range(n) if speed[i] > 0 and all(math.isfinite(x[i]) for x in conditions.values())]
     if not any(math.isfinite(column.y[i]) for column in columns.values() for i in used):
         return None, [(dotted(Measurement.file), Text("has no row with a speed above 0 and a number beside it"))]
-    kept = DIGEST.match(raw)
-    digest, lost = (kept[1].decode(), int(kept[2])) if kept else (file.sha256, n - len(used))
+    whole = DIGEST.match(kept)
+    digest, lost = (whole[1].decode(), int(whole[2])) if whole else (file.sha256, n - len(used))
     return RunRows(
         run.name,
         run.file,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs of [[measurements]] beside what a design predicts at their nodes."""
 
+import hashlib
 import os
 from functools import cache
 
@@ -308,3 +309,20 @@ def test_the_shipped_run_is_what_its_script_makes():
     from bench.measured_run import FILE, run
 
     assert run() == FILE.read_text(encoding="utf-8")
+
+
+def test_of_which_file_rows_were_is_believed_of_a_report_alone(tmp_path):
+    """A user's file that begins as if a report had kept it is a file like others."""
+    forged = b"# rows used of a file with sha256 " + b"0" * 64 + b", 99999 left out\n" + TEXT
+    (tmp_path / "run.csv").write_bytes(forged)
+    own = Document(SMALL | {"measurements": [RUN]}, str(tmp_path / "x.toml"))
+    (rows,) = design(own).runs
+    assert rows.sha256 == hashlib.sha256(forged).hexdigest() and rows.lost == 0
+    assert design(document(RUN, files={"run.csv": forged})).runs[0].lost == 99999
+
+
+def test_peaks_are_of_what_is_an_rms():
+    wanted = document(RUN | {"columns": [P | {"peak": True}]})
+    results = solve(design(wanted))
+    with pytest.raises(BadInput, match="is for a value that is an rms"):
+        results.demand_runs(wanted)
