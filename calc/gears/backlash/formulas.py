@@ -202,7 +202,7 @@ def residual_force(F: Newton, Delta_phi: Radian) -> Newton:
 def backlash_per_centre(alpha_wt: Radian, beta_b: Radian) -> Number:
     """>>> import math
     >>> backlash_per_centre(alpha_wt=math.radians(21.17), beta_b=math.radians(18.74724))
-    0.683948...
+    0.683952...
     """
     return 2 * sin(alpha_wt) * cos(beta_b)
 
