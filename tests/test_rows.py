@@ -6,7 +6,7 @@ from tests.conftest import ROOT
 
 TWICE = re.compile(r"\b\w*_(?:front|rear)\b")
 # planes of balancing, as ISO 21940-11 has two of them whatever carries the shaft
-PLANES = {"lever", "permitted", "residual_unbalance_permitted"}
+PLANES = {"lever", "permitted", "residual_unbalance_permitted", "ring", "target"}
 # what no bearing is: the bolts at both ends of a support, throws of a crank ahead of another, who looks from the front,
 # the two sides from which a shaft comes in
 OTHERS = {"force", "in", "insertion_room", "torque_in", "rotation_seen_from", "z"}
