@@ -41,13 +41,14 @@ UP = 1.0, 0.0, 0.0
 
 @record
 class Loads:
-    """All rows, speed by speed.  `variant` in words; `left_out`: what is not in them though it might be asked; `notes`:
-    on what some of them stand; `sums`: by what was added up, by how much it does not close, as a share of the largest
-    part."""
+    """All rows, speed by speed.  `variant` in words; `bearings`: which values of the results their rows are;
+    `left_out`: what is not in them though it might be asked; `notes`: on what some of them stand; `sums`: by what was
+    added up, by how much it does not close, as a share of the largest part."""
 
     rows: tuple[LoadRow, ...]
     frame: Frame
     variant: Text
+    bearings: tuple[Text, ...]
     left_out: tuple[Text, ...]
     notes: tuple[Text, ...]
     sums: Mapping[str, float]
@@ -84,11 +85,13 @@ def loads(results: Results, speeds: Sequence[RevPerSecond], variant: str = "shaf
         rows = [*engine_rows(made.book, made.driven, at)]
         if (mounted := results.result(MountingResult)) is not None:
             rows += mount_rows(made.book, mounted, name, at)
+        beside: tuple[Text, ...] = ()
         if name != HALF:
             rows += made.moving(at, off)
+            beside = (*made.beside_check(rated),)
         rows.sort(key=lambda row: (row.speed, KINDS.index(row.kind)))
         of = made.book
-        return Loads(tuple(rows), of.frame, off.words, (*of.left_out.values(),), (*of.notes.values(),), of.sums)
+        return Loads(tuple(rows), of.frame, off.words, beside, (*of.left_out.values(),), (*of.notes.values(),), of.sums)
 
 
 def variants(results: Results) -> tuple[str, ...]:
@@ -113,12 +116,11 @@ class _AtSpeeds:
         """Shafts and gears, at each speed of the design as it is there."""
         design, train = self.design, self.results.train
         orders = orders_of(self.book, train, speeds) if train is not None else None
-        up = design.mounting.up if design.mounting is not None else UP
         for n, speed in enumerate(speeds):
             other = solve(at_speed(design, speed, self.results.values()), compared=False)
             teeth = self._teeth(other, speed)
             for shaft in self._shafts_at(other, speed):
-                of = ShaftRows(self.book, speed, shaft, len(h.turning(design)) > 1, up)
+                of = self._rows_of(shaft, speed)
                 yield from of.rows(off.off.get(shaft.name, (0.0, 0.0)), _losses(other, shaft), other.train, teeth)
             for key, force in teeth.items():
                 if force is not None:
@@ -126,6 +128,16 @@ class _AtSpeeds:
                     yield from mesh_rows(
                         self.book, key, force, self._planes.get(force.mesh.driver, 0.0), speed, amounts
                     )
+
+    def beside_check(self, rated: RevPerSecond) -> Iterator[Text]:
+        """Of each shaft, which values of the results its bearings' rows are."""
+        for shaft in self._shafts_at(self.results, rated):
+            yield self._rows_of(shaft, rated).beside_check(self.results.values())
+
+    def _rows_of(self, shaft: ShaftAtSpeed, speed: RevPerSecond) -> ShaftRows:
+        mounting = self.design.mounting
+        up = mounting.up if mounting is not None else UP
+        return ShaftRows(self.book, speed, shaft, len(h.turning(self.design)) > 1, up)
 
     def _shafts_at(self, other: Results, speed: RevPerSecond) -> Iterator[ShaftAtSpeed]:
         for shaft in h.turning(self.design):

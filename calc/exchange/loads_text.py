@@ -58,6 +58,7 @@ def head(loads: Loads, design: str, sha256: str, say: Say = str) -> dict[str, st
         "harmonics": say(HARMONICS),
         "sides": say(SIDES),
         "variant": say(loads.variant),
+        "bearings": [*map(say, loads.bearings)],
         "apply": [say(BLOCK), say(BODIES), say(NEVER)],
         "not_in_it": [say(LEFT_OUT), *map(say, loads.left_out)],
         "notes": [*map(say, loads.notes)],

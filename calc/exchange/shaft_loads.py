@@ -70,9 +70,10 @@ class ShaftAtSpeed:
 class TurningForces:
     """`forces` on the block by the bearing; `inertia`: what the bent shaft itself adds to them, with the opposite sign;
     `outline`: what its outline has more than its masses, likewise; so that all together are `total`, ω² times the
-    unbalance of masses and further elements.  None: nothing."""
+    unbalance of masses and further elements.  None: nothing.  `like`: which value of the results the forces are."""
 
     forces: dict[str, PhasorNewton]
+    like: str  # levers, load (of the bearing) or reaction
     inertia: Wrench | None
     outline: Wrench | None
     total: Wrench
@@ -86,9 +87,9 @@ def turning(of: ShaftAtSpeed, s: Number = 0.0, delta: Radian = 0.0) -> TurningFo
     result, places = of.result, of.places
     F_S, C_S = complex(result.force_vector), complex(result.couple_vector)
     inertia = outline = None
-    shared = _shared(of)
+    shared, like = _shared(of), "reaction"
     if shared is not None and result.bending is not None:
-        carried, x = shared
+        carried, x, like = shared
         (F_O, C_O), (F_b, C_b) = load_and_inertia(result.bending, result.omega, x)
         inertia, outline = (-F_b, -C_b), (F_S - F_O, C_S - C_O)
         if abs(outline[0]) < DUST * max(map(abs, carried)):
@@ -97,6 +98,7 @@ def turning(of: ShaftAtSpeed, s: Number = 0.0, delta: Radian = 0.0) -> TurningFo
         (_, z_1), (_, z_2) = places.items()
         ends = ((z_1, z_2), (z_2, z_1))
         carried = [-complex(lever_reaction(C_S=C_S, z_o=z_o, F_S=F_S, z_B=z_B)) for z_B, z_o in ends]
+        like = "levers" if result.loads_by_levers else like  # of a shaft that is not bent both are the same
     else:
         carried = [-complex(R) for R in result.reactions]
 
@@ -112,23 +114,25 @@ def turning(of: ShaftAtSpeed, s: Number = 0.0, delta: Radian = 0.0) -> TurningFo
         first, last = next(iter(places)), next(reversed(places))
         forces[first] -= more / (places[last] - places[first])
         forces[last] += more / (places[last] - places[first])
-    return TurningForces(forces, both(inertia), both(outline), (turned(F_S), turned(C_S) + more))
+    return TurningForces(forces, like, both(inertia), both(outline), (turned(F_S), turned(C_S) + more))
 
 
-def _shared(of: ShaftAtSpeed) -> tuple[list[complex], ComplexArray] | None:
-    """The loads of the bearings and how far their journals are displaced, where these and not levers judge."""
+def _shared(of: ShaftAtSpeed) -> tuple[list[complex], ComplexArray, str] | None:
+    """The loads of the bearings, how far their journals are displaced, and which value the loads are, where these and
+    not levers judge."""
     rows, bent = of.shaft.inputs.bearings, of.result.bending
     if bent is None or (len(rows) == 2 and all(row.kind == "plain" for row in rows)):
         return None
     at_rest = np.zeros(len(rows), dtype=complex)
     found = of.bearings
     if found is None or any(r.on_shaft is None for r in found.bearings.values()):
-        return [-complex(R) for R in of.result.reactions], at_rest
+        return [-complex(R) for R in of.result.reactions], at_rest, "reaction"
     lies = [(r, r.on_shaft) for r in found.bearings.values()]
     loads = [_polar(r.load, on.load_phase) for r, on in lies if on is not None]
     if len(rows) == 2:  # whose loads are those on pins
-        return loads, at_rest
-    return loads, np.array([_polar(on.displacement, on.displacement_phase) for _, on in lies if on is not None])
+        return loads, at_rest, "load"
+    x = np.array([_polar(on.displacement, on.displacement_phase) for _, on in lies if on is not None])
+    return loads, x, "load"
 
 
 def _polar(size: float, phase: float | None) -> complex:

@@ -1,19 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """The rows of one balance shaft at one speed: its bearings, order by order, its weight, and what its bending adds."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 
 import numpy as np
 
 from ..gears.result import TrainResult
 from ..mounting.excitation import horizontal, moment_about_x, moment_about_y, vertical
 from ..sheet.record import record
-from ..sheet.text import Amount, Name, Text
+from ..sheet.text import SEMICOLON, Amount, Name, Text
 from ..sheet.units import Number, Radian, RevPerSecond, Watt
 from .frame import Vector
 from .load_rows import NOTHING, Book, LoadRow
 from .mesh_loads import MeshForce
 from .shaft_loads import OnWheel, ShaftAtSpeed, TurningForces, Wrench, standing, turning
+
+WHY = {  # of the rows, the value that differs
+    ("load", "reaction"): Text(" of rigid bearings: films and bending share the load in another way"),
+    ("load", "levers"): Text(" of a rigid shaft: what it bends adds to the load"),
+    ("reaction", "levers"): Text(" of a rigid shaft: what it bends adds to the load"),
+    ("levers", "reaction"): Text(", which has what the bent shaft adds"),
+}
 
 
 @record
@@ -47,6 +54,35 @@ class ShaftRows:
     def name(self) -> str:
         return self.shaft.name
 
+    def beside_check(self, ids: Container[str]) -> Text:
+        """Which values of the results (`ids`) the bearings' rows of the shaft as designed are, and how another one
+        differs."""
+        result, found = self.shaft.result, self.shaft.bearings.bearings if self.shaft.bearings is not None else {}
+        known = {
+            "load": ("bearings.{of}*.load", {name: r.load for name, r in found.items()}),
+            "reaction": ("countershaft.{of}reaction_*", result.loads),
+            "levers": ("countershaft.{of}reaction_*_levers", result.loads_by_levers),
+        }
+        like = turning(self.shaft).like
+        other = "levers" if like != "levers" and result.loads_by_levers else "reaction"
+        (mine, loads), (else_, beside) = known[like], known[other]
+        words = Text(
+            "{shaft}: the rows bearing equal {value} of check", shaft=Name(self.name), value=self._id(mine, ids)
+        )
+        at = [Text("{bearing} {load} N", bearing=Name(name), load=f"{R:.6g}") for name, R in loads.items()]
+        if other != like:
+            words = Text("{words}, not {other}{why}", words=words, other=self._id(else_, ids), why=WHY[like, other])
+            at = [Text("{row}, not {other}", row=row, other=f"{beside[name]:.6g}") for row, name in zip(at, loads)]
+        speed = Amount(self.speed * 60, "rpm", form="g")
+        return Text("{words}; at {speed} {loads}", words=words, speed=speed, loads=SEMICOLON.join(at))
+
+    def _id(self, pattern: str, ids: Container[str]) -> Name:
+        """Of this shaft, or of its original where a twin has no value of its own."""
+        names = (f"{name}." if self.several else "" for name in (self.name, self.shaft.shaft.of or self.name))
+        filled = [pattern.format(of=of) for of in names]
+        first = next(iter(self.shaft.places))
+        return Name(next((one for one in filled if one.replace("*", first) in ids), filled[-1]))
+
     def _row(self, kind: str, place: str, order: float, z: float, force: Vector, moment: Vector = NOTHING) -> LoadRow:
         on = "block" if kind == "bearing" else f"shaft {self.name}"
         if kind == "bearing" and self.several:
@@ -66,15 +102,6 @@ class ShaftRows:
                 "the outline of {shaft} has not the unbalance of its masses: its bearings carry that of the outline, "
                 "and a row inertia has the difference",
                 shaft=Name(name),
-            )
-        if found.inertia is None and (levers := self.shaft.result.loads_by_levers):
-            off = max(abs(load / levers[of] - 1) for of, load in self.shaft.result.loads.items() if levers[of])
-            self.book.notes[f"levers {name}"] = Text(
-                "the bearings of {shaft} carry by levers, as statics has it; what the shaft puts on them as it bends, "
-                "by which it is judged, differs by up to {off} at {speed}",
-                shaft=Name(name),
-                off=Amount(100 * off, "%", form=".2g"),
-                speed=Amount(self.speed * 60, "rpm", form="g"),
             )
         if found.inertia is not None and any(row.load is not None for row in self.shaft.shaft.inputs.bearings):
             self.book.notes[f"given {name}"] = Text(

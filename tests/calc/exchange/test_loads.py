@@ -327,6 +327,36 @@ def test_three_bearings_and_a_mirror_image():
 # --- the teeth over a turn
 
 
+IN_THE_HEAD = [
+    ("r753ie4_gamma", 2600, ["countershaft.reaction_*_levers"]),
+    ("r753ie4_rolling", 2600, ["bearings.*.load"]),
+    ("r754ie4_balance_shafts", 3000, ["bearings.left.*.load"] * 2),
+    ("twin_mounting", 5500, ["countershaft.reaction_*"]),
+]
+
+
+@pytest.mark.parametrize("name, rpm, patterns", IN_THE_HEAD)
+def test_the_head_says_which_values_of_check_the_bearings_are(name, rpm, patterns):
+    rows, results, found = made(name, (rpm,))
+    values, shafts = results.values(), results.design.resolved
+    for shaft, pattern, line in zip(shafts, patterns, map(str, found.bearings), strict=True):
+        assert f"{shaft.name}: the rows bearing equal {pattern} of check" in line
+        for bearing in shaft.inputs.bearings:
+            place = f"{shaft.name}.{bearing.name}" if len(shafts) > 1 else bearing.name
+            turning = [row for row in picked(rows, kind="bearing", place=place) if row.order]
+            value = values[pattern.replace("*", bearing.name)].shown
+            assert [abs(row.force[0]) for row in turning] == [pytest.approx(value, rel=1e-9)]
+            assert f"{bearing.name} {value:.6g} N" in line
+    assert f"at {rpm:g} rpm" in str(found.bearings[0])
+
+
+def test_the_head_has_both_numbers_where_they_differ():
+    _, results, found = made("r754ie4_balance_shafts", (3000,))
+    line, rigid = str(found.bearings[0]), results.values()["countershaft.left.reaction_middle"].shown
+    assert "not countershaft.left.reaction_* of rigid bearings" in line and f"not {rigid:.6g}" in line
+    assert not made("r754ie4_balance_shafts", (3000,), "half")[2].bearings
+
+
 def test_the_orders_of_a_mesh_are_its_force_over_the_cycle():
     """While flanks stay closed: from the least to the most force of the drive, at the line of action."""
     design = load_design(DESIGNS / "r754ie4_balance_shafts.toml")
