@@ -60,7 +60,8 @@ All files that hold places or directions share one right-handed frame, so that t
 - `--teeth`: the teeth in place of the blank that the shaft has for its wheel. What that changes in mass and in moment of inertia is printed.
 - `--module`: all shafts and wheels where they stand, a named part each, with cylinder 1 at top dead centre. Every wheel that meshes has its tooth in the
   gap of the other: that and the hands of the helices are those of the design. A wheel of no known place is left out, and named. The shafts' axes
-  come from `axis_mm`, or from `position_mm` of the wheel on them.
+  come from `axis_mm`, or from `position_mm` of the wheel on them. Without `--teeth` the wheel that is part of a shaft is a blank, which cuts into the
+  teeth of its mate.
 - A shaft that turns inside its wheel, or ends before it, has the wheel as a body of its own.
 - Not in the solids: fillets of shoulders, threads, keys, and the web of a wheel of which the rim is given. `[[shafts.extras]]` are points for the results and no part
   of the file either.

@@ -21,6 +21,7 @@ from calc.sheet.text import COMMA, Amount, Name, Text
 from reports.step.kernel import WrongKernel, step_file
 from reports.step.module import module_parts
 
+SOLID = Text("a solid")
 DENSITY = Text("density is not in the file")
 
 
@@ -40,7 +41,7 @@ def lacks(asked: Request) -> InputError | None:
         return InputError(0, "--step", "", reason)
     only = {shaft.of or shaft.name for shaft in design.resolved if shaft.name == options.get("shaft")}
     seen = ((name, view) for name, view in views(asked.results) if not only or name in ("", *only))
-    wrong = (lacking for name, view in seen if (lacking := no_outline(asked, view, name)))
+    wrong = (lacking for name, view in seen if (lacking := no_outline(asked, view, name, SOLID)))
     return next(wrong, next(iter(_nowhere(asked)), None) if options.get("module") else None)
 
 
@@ -74,7 +75,7 @@ def _shafts(asked: Request, solids: Solids) -> Written:
         files[path] = step_file(
             [solid.part], path.name, date_of(solids.design), _words(solids, drilled, words, *_teeth(solids))
         )
-        said += [*table(solid), *_left_out(shaft, solids.drawn(shaft)[0])]
+        said += [*table([(solid, shaft.name)]), *_left_out(shaft, solids.drawn(shaft)[0])]
         if solids.teeth:
             said += changed(solid, solids.with_blank(shaft))
     return files, said
@@ -89,7 +90,7 @@ def _wheel(asked: Request, solids: Solids) -> Written:
     )
     kind = ["a blank of the reference diameter"] if solids.blank else _teeth(solids)
     content = step_file([solid.part], asked.path.name, date_of(solids.design), _words(solids, *kind, words))
-    said = [*table(solid)]
+    said = [*table([(solid, name)])]
     if not solids.blank:
         said += changed(solid, Solids(asked, blank=True).wheel(name))
     return {asked.path: content}, said
@@ -98,27 +99,33 @@ def _wheel(asked: Request, solids: Solids) -> Written:
 def _module(asked: Request, solids: Solids) -> Written:
     """Every shaft, and every wheel that no shaft has in its own part."""
     axes, places, said = shaft_axes(solids.results), solids.places, list[Text]()
-    shafts, wheels, on = [], [], {}
+    shafts, wheels, on, blanks = [], [], {}, list[Text]()
     for shaft in solids.design.resolved:
         solid = solids.shaft(shaft)
         shafts.append((solid, axes[shaft.name]))
-        said += [*table(solid), *_left_out(shaft, solids.drawn(shaft)[0])]
+        said += _left_out(shaft, solids.drawn(shaft)[0])
         if (wheel := solids.wheel_on(shaft)) is not None:
             on[wheel] = shaft
             if solids.teeth:
-                said += changed(solid, solids.with_blank(shaft))
+                change = changed(solid, solids.with_blank(shaft))
+                said += [Text("{shaft}: {words}", shaft=Name(shaft.name), words=words) for words in change]
+            elif solids.has_wheel(shaft) and not solids.blank:
+                blanks.append(Text("wheel of {shaft}: blank", shaft=Name(shaft.name)))
     train = solids.train.wheels if solids.train is not None else {}
     for name in train:
         if name in places and not (name in on and solids.has_wheel(on[name])):
             solid = solids.beside(name, solids.drawn(on[name])[0]) if name in on else solids.wheel(name)
             wheels.append((solid, places[name]))
     parts = module_parts(shafts, wheels, solids.frame)
-    for (solid, _), part in zip(wheels, parts[len(shafts) :]):
-        said += table(solid, part.name)
+    weighed = [solid for solid, _ in (*shafts, *wheels)]
+    said = [*table([(solid, part.name) for solid, part in zip(weighed, parts)]), *said]
+    if blanks:
+        words = COMMA.join(blanks)
+        said.append(Text("{blanks}, which cuts into the teeth of its mate; --teeth cuts its teeth.", blanks=words))
     if left := [name for name in train if name not in places]:
         names = COMMA.join(Name(name) for name in left)
         said.append(Text("Left out, since where they stand is not known: {names}; give position_mm.", names=names))
-    kind = ["wheels as blanks of the reference diameter"] if solids.blank else _teeth(solids)
+    kind = ["wheels as blanks of the reference diameter"] if solids.blank else [*_teeth(solids), *map(str, blanks)]
     words = _words(solids, *kind, "each part where it stands, with cylinder 1 at TDC")
     content = step_file(parts, asked.path.name, date_of(solids.design), words, solids.design.name)
     return {asked.path: content}, said
@@ -169,9 +176,8 @@ def _nowhere(asked: Request) -> Iterator[InputError]:
     design, axes = asked.results.design, shaft_axes(asked.results)
     for shaft in design.resolved:
         if shaft.name not in axes:
-            reason = Text("where {shaft} stands is not known: give axis_mm", shaft=Name(shaft.name))
-            key = dotted(Design.shafts, shaft.name) if len(design.resolved) > 1 else "countershaft"
-            yield InputError(0, key, "", reason)
+            reason = Text("where {shaft} stands is not known: give axis_mm = [up, side]", shaft=Name(shaft.name))
+            yield InputError(0, dotted(Design.shafts, shaft.name), "", reason)
     if not design.resolved and not Solids(asked).places:
         reason = Text("where the wheels stand is not known: give position_mm")
         yield InputError(0, dotted("gears", GearsInputs.wheels), "", reason)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is said of parts that are written as solids: what each weighs, beside the program's own numbers."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from calc.sheet.text import Amount, Name, Text
 from reports.step.shaft import Weighed, WeighedPart
@@ -10,23 +10,38 @@ ATOM = 1e-7  # mm
 COLUMNS = ("cm³", "kg", "X mm", "Y mm", "Z mm", "J_XX kg·mm²", "J_YY", "J_ZZ", "J_XY", "J_YZ", "J_ZX")
 
 
-def table(solid: WeighedPart, called: str = "") -> Iterator[Text]:
-    """A line for each solid, the whole, and the same by the program; then how far they are apart.  `called`: what a
-    single solid is called in the file, where that is not its own name."""
-    lines = [(called or one.name, _numbers(one)) for one in solid.solids]
-    if len(lines) > 1:
-        lines.append((str(Text("together")), _numbers(solid.whole)))
-    if solid.holes:
-        lines.append((str(Text("undrilled")), _numbers(solid.undrilled)))
-    lines.append((str(Text("by the program")), _numbers(solid.by_program)))
+def table(parts: Sequence[tuple[WeighedPart, str]]) -> Iterator[Text]:
+    """A line for each solid, the whole of a part, and the same by the program; then how far they are apart.  `parts`:
+    each with what it is called in the file."""
+    lines = [line for part, called in parts for line in _lines(part, called, len(parts) > 1)]
     cells = [("", *COLUMNS), *((name, *(f"{x:.6g}" for x in row)) for name, row in lines)]
     widths = [max(map(len, column)) for column in zip(*cells)]
     for name, *numbers in cells:
         row = (number.rjust(width) for number, width in zip(numbers, widths[1:]))
         yield Name("  ".join((name.ljust(widths[0]), *row)))
-    yield Text(
-        "Deviation {share}; J about the centre of gravity, its products −∫XY dm.", share=f"{solid.deviation:.1e}"
+    worst = max((part.deviation for part, _ in parts), default=0.0)
+    words = Text("Deviation {share}; J about the centre of gravity, its products −∫XY dm.", share=f"{worst:.1e}")
+    yield (
+        Text("{words} Each about its own axis, before it is set in its place.", words=words)
+        if len(parts) > 1
+        else words
     )
+
+
+def _lines(part: WeighedPart, called: str, several: bool) -> Iterator[tuple[str, list[float]]]:
+    """`several`: other parts stand in the same table."""
+
+    def of_part(words: Text) -> str:
+        return str(Text("{part}, {words}", part=Name(called), words=words) if several else words)
+
+    single = len(part.solids) == 1
+    for one in part.solids:
+        yield called if single else one.name, _numbers(one)
+    if not single:
+        yield of_part(Text("together")), _numbers(part.whole)
+    if part.holes:
+        yield of_part(Text("undrilled")), _numbers(part.undrilled)
+    yield of_part(Text("by the program")), _numbers(part.by_program)
 
 
 def _numbers(one: Weighed) -> list[float]:

@@ -48,7 +48,7 @@ def test_what_can_not_be_had_is_said_at_once(run):
 
 def test_a_module_asks_for_the_axes(run):
     code, text, said = run(GAMMA, "--module")
-    assert code == 2 and not text and "where shaft stands is not known: give axis_mm" in said
+    assert code == 2 and not text and "shafts.shaft: where shaft stands is not known: give axis_mm = [up, side]" in said
 
 
 def test_blanks_have_no_allowance_and_shafts_no_blank(run):
@@ -65,9 +65,20 @@ def test_one_part_is_asked_for(run):
 def test_a_module_has_a_named_part_for_each_shaft_and_each_wheel_of_another_axis(run):
     """The shaft's wheel is the blank of its outline."""
     code, text, said = run(DRIVE, "--module", "--blank")
-    assert code == 0, said
+    assert code == 0 and "wheel of shaft" not in said, said
     assert {"shaft", "crank", "central", "idler"} <= products(text)
     assert text.count("NEXT_ASSEMBLY_USAGE_OCCURRENCE") == 4
+
+
+def test_a_module_prints_one_table_and_says_that_the_shafts_own_wheel_is_a_blank(run):
+    code, text, said = run(DRIVE, "--module")
+    assert code == 0, said
+    assert said.count("cm³") == 1 and said.count("Deviation") == 1
+    for name in ("shaft", "crank", "central", "idler"):
+        part, program = (re.search(f"^{words} +(.*)", said, re.M) for words in (name, f"{name}, by the program"))
+        assert part and program and part[1].split() == program[1].split()
+    assert "wheel of shaft: blank, which cuts into the teeth of its mate; --teeth cuts its teeth." in said
+    assert "wheel of shaft: blank" in text
 
 
 def test_a_wheel_that_its_shaft_does_not_reach_is_a_part_of_its_own(run):
