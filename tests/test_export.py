@@ -283,7 +283,14 @@ def test_the_map_has_a_row_for_each_speed_and_load(tmp_path, gamma_results):
         assert float(rows[0][f"idler_shaft.{name}"]) == pytest.approx(published, rel=1e-6)
 
 
-@pytest.mark.parametrize(("path", "kind", "words"), [(ALPHA, "csv", "needed"), (GAMMA, "json", "is for --csv")])
+@pytest.mark.parametrize(
+    ("path", "kind", "words"),
+    [
+        (ALPHA, "csv", "gears: needed"),
+        (PAIR, "csv", "timing_pair.toml: engine: needed"),
+        (GAMMA, "json", "is for --csv"),
+    ],
+)
 def test_where_there_is_no_map(tmp_path, capsys, path, kind, words):
     assert main(["export", str(path), "--map", "-o", str(tmp_path / f"map.{kind}")]) == 2
     assert words in capsys.readouterr().err

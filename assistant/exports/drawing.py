@@ -67,14 +67,20 @@ def named(path: Path, name: str) -> Path:
     return path.with_stem(f"{path.stem}-{name}") if name else path
 
 
-def no_outline(asked: Request, view: Results, name: str = "") -> InputError | None:
-    """Why the outline of the shaft in view is not known, with what to add; `name`: of one of several."""
+DRAWING = Text("a drawing")
+
+
+def no_outline(asked: Request, view: Results, name: str = "", what: Text = DRAWING) -> InputError | None:
+    """Why the outline of the shaft in view is not known, with what to add; `name`: of one of several; `what` it is
+    needed for."""
     shaft, outcome = view.design.countershaft, view.outcomes["countershaft"]
-    key = dotted(Design.shafts, name) if name else "countershaft"
+    key = dotted(Design.shafts)
     if shaft is None:
-        return InputError(0, key, "", Text("needed for a drawing: add [[shafts]], and {how}; or [gears]", how=HOW))
+        reason = Text("needed for {what}: add [[shafts]], and {how}; or [gears]", what=what, how=HOW)
+        return InputError(0, key, "", reason)
+    key = dotted(Design.shafts, name or view.design.resolved[0].name)
     if outcome.state != "solved":
-        return InputError(0, key, "", Text("there is no shaft to draw: {reason}", reason=outcome.reason))
+        return InputError(0, key, "", Text("there is no shaft: {reason}", reason=outcome.reason))
     solved = view.result(CountershaftResult)
     if solved is None or solved.outline is None:
         reason = Text(

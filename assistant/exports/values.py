@@ -24,6 +24,8 @@ def lacks(asked: Request) -> InputError | None:
             return InputError(0, "mounting", "", reason)
     if asked.options.get("map"):
         train = asked.results.train
+        if asked.results.design.gears is not None and asked.results.design.engine is None:
+            return InputError(0, "engine", "", Text("needed for the map of the drive over speed: add [engine]"))
         if train is None or train.drive is None or not train.drive.meshes:
             return InputError(0, "gears", "", Text("needed, with [engine], for the map of the drive over speed"))
     return None

@@ -144,7 +144,7 @@ class _AtSpeeds:
             own, original = (other.of_shafts.get(name, {}) for name in (shaft.name, shaft.of or shaft.name))
             result = original["countershaft"].result if "countershaft" in original else None
             if not isinstance(result, CountershaftResult):
-                self._unsolved(Text("the shaft {shaft}", shaft=Name(shaft.name)), speed)
+                self._unsolved(Name(shaft.name), speed)
                 continue
             bearings = own.get("bearings") or original.get("bearings")
             found = bearings.result if bearings is not None else None

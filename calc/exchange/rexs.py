@@ -231,6 +231,6 @@ def _left_out(unit: GearUnit) -> None:
             unit.notes.append(Text("The crank is left out: no wheel turns with it."))
     for shaft in unit.design.shafts:
         if shaft.loads:
-            unit.notes.append(Text("What hangs on the shaft {shaft} ([[shafts.loads]]) is left out.", shaft=shaft.name))
+            unit.notes.append(Text("What hangs on {shaft} ([[shafts.loads]]) is left out.", shaft=shaft.name))
     if unit.design.shafts:
         unit.notes.append(LEFT_OUT)

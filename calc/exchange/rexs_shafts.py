@@ -21,7 +21,7 @@ from .rexs_unit import GearUnit
 
 ABOUT_AXIS = Text("geometry: sector without its core, about axes in its middle on the shaft's axis")
 SMALLEST: Metre = 1e-9  # of a core: less is none
-NO_HOLE = Text("{name} of the shaft {shaft}, {less}, is left out: masses in a file of REXS are above zero.")
+NO_HOLE = Text("{name} of {shaft}, {less}, is left out: masses in a file of REXS are above zero.")
 ON_CRANK = Text("Where the shaft stands is not known: it stands on the crank's axis. axis_mm says it.")
 
 
@@ -88,7 +88,9 @@ class WrittenShaft:
     def add(self) -> None:
         unit, inputs = self.unit, self.inputs
         if self.axis is None and len(unit.design.resolved) > 1:
-            words = Text("The shaft {shaft} is left out: where it stands is not known, give axis_mm.", shaft=self.name)
+            words = Text(
+                "Left out, since where {shaft} stands is not known: give axis_mm = [up, side].", shaft=self.name
+            )
             unit.notes.append(words)
             return
         if self.axis is None:
@@ -102,7 +104,7 @@ class WrittenShaft:
         if self.outline is not None:
             self._pieces(shaft, self.outline)
         else:
-            words = Text("The outline of the shaft {shaft} is not known: it has no sections.", shaft=self.name)
+            words = Text("The outline of {shaft} is not known: it has no sections.", shaft=self.name)
             unit.notes.append(words)
         for point in points:
             self._point(shaft, point)
@@ -142,9 +144,7 @@ class WrittenShaft:
             if solid > SMALLEST:
                 add_section(unit, shaft, name, piece.start - self.start, piece.length, 2 * solid, 2 * outline.bore)
             else:
-                words = Text(
-                    "The {sector} of the shaft {shaft} has no core: it is no section.", sector=name, shaft=self.name
-                )
+                words = Text("The {sector} of {shaft} has no core: it is no section.", sector=name, shaft=self.name)
                 unit.notes.append(words)
             if piece.half_angle is not None:
                 self._sector(shaft, piece, name, density * outline.heavier)

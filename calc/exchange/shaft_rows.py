@@ -45,7 +45,8 @@ class ShaftRows:
         meshes of the train."""
         if self.shaft.axis is None:
             self.book.notes[f"axis {self.name}"] = Text(
-                "where {shaft} stands is not known: X and Y of its rows are empty (give axis_mm)", shaft=Name(self.name)
+                "where {shaft} stands is not known: X and Y of its rows are empty (give axis_mm = [up, side])",
+                shaft=Name(self.name),
             )
         yield from self._turning(turning(self.shaft, *map(float, off)))
         yield from self._standing(losses, self._on_wheel(train, teeth))
