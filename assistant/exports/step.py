@@ -120,8 +120,9 @@ def _module(asked: Request, solids: Solids) -> Written:
     weighed = [solid for solid, _ in (*shafts, *wheels)]
     said = [*table([(solid, part.name) for solid, part in zip(weighed, parts)]), *said]
     if blanks:
-        words = COMMA.join(blanks)
-        said.append(Text("{blanks}, which cuts into the teeth of its mate; --teeth cuts its teeth.", blanks=words))
+        said.append(
+            Text("{blanks}, which cuts into the teeth of its mate; --teeth cuts its teeth.", blanks=COMMA.join(blanks))
+        )
     if left := [name for name in train if name not in places]:
         names = COMMA.join(Name(name) for name in left)
         said.append(Text("Left out, since where they stand is not known: {names}; give position_mm.", names=names))
