@@ -129,8 +129,7 @@ def _targets(of: BalanceSheet, say: Say) -> Tables:
         rows.append(_row(say, name, gmm(plane.target), at_angle(plane.shop_angle), permitted, force))
     rings = [_row(say, Text("Ring"), Text("g·mm"), Text("at"), Text("z, mm"))]
     for ring, name in zip(found.rings, (Text("front"), Text("rear"))):
-        alpha = None if ring.angle is None else _once(of, ring.angle)
-        rings.append(_row(say, name, gmm(ring.unbalance), at_angle(alpha), alone(millimetres(ring.z, 1))))
+        rings.append(_row(say, name, gmm(ring.unbalance), at_angle(ring.shop_angle), alone(millimetres(ring.z, 1))))
     rpm = number(UNITS["rpm"].shown(found.inputs.speed), 0)
     head = say(Text("Target, at {n} rpm on the machine", n=rpm))
     return [

@@ -18,8 +18,10 @@ class BalancingPlane(Shown):
     """What the shaft has to have in a plane; the direction of no more than rounding is none."""
 
     target: KilogramMetre = value("Target unbalance in the plane", "g·mm", "U", short=True)
-    target_angle: Radian | None = value("its direction, cylinder 1 at TDC", "°", "φ_U", default=None, short=True)
-    shop_angle: Radian | None = value("the same as the shop counts it", "°", "α", default=None, short=True)
+    target_angle: Radian | None = value(
+        "its angle in the engine, cylinder 1 at TDC", "°", "φ_U", default=None, short=True
+    )
+    shop_angle: Radian | None = value("its angle as the shop counts", "°", "α", default=None, short=True)
     machine_force: Newton = value("Force on the pedestal of the machine, without compensation", "N", "F_b")
     vector: complex  # the target [kg·m]
     z: Metre
@@ -33,7 +35,8 @@ class BalancingRing(Shown):
     """A ring that takes the target off while the shaft is balanced."""
 
     unbalance: KilogramMetre = value("Unbalance of the compensating ring", "g·mm", "U_R")
-    angle: Radian | None = value("its direction, cylinder 1 at TDC", "°", "φ_R", default=None)
+    angle: Radian | None = value("its angle in the engine, cylinder 1 at TDC", "°", "φ_R", default=None)
+    shop_angle: Radian | None = value("its angle as the shop counts", "°", "α_R", default=None)
     vector: complex
     z: Metre
 

@@ -56,9 +56,9 @@ def sheet(shaft: ShaftInputs, table: Balancing, made: Made) -> BalancingResult |
     size = sum(abs(mass.mass * mass.radius) for mass in (*made.masses, *shaft.extras))
     target = (one.vector, one.z, other.vector, other.z)
     with about(Text("front ring")):
-        front = _ring(f.ring_front(*target, z_1=z_1, z_2=z_2), z_1, size)
+        front = _ring(f.ring_front(*target, z_1=z_1, z_2=z_2), z_1, size, zero, s)
     with about(Text("rear ring")):
-        rear = _ring(f.ring_rear(*target, z_1=z_1, z_2=z_2), z_2, size)
+        rear = _ring(f.ring_rear(*target, z_1=z_1, z_2=z_2), z_2, size, zero, s)
     holes = {drill.name: _hole(drill, planes) for drill in drills(shaft, table, made)}
     return BalancingResult(
         front=planes[0],
@@ -133,9 +133,10 @@ def _planes(
     return planes[0], planes[1]
 
 
-def _ring(vector: complex, z: Metre, size: KilogramMetre) -> BalancingRing:
+def _ring(vector: complex, z: Metre, size: KilogramMetre, zero: Radian, s: Number) -> BalancingRing:
     angle = None if abs(vector) <= DUST * size else f.direction(U=vector)
-    return BalancingRing(unbalance=f.length(U=vector), angle=angle, vector=vector, z=z)
+    alpha = None if angle is None else f.shop_angle(s=s, phi=angle, phi_0=zero)
+    return BalancingRing(unbalance=f.length(U=vector), angle=angle, shop_angle=alpha, vector=vector, z=z)
 
 
 # --- holes

@@ -147,6 +147,19 @@ def test_three_bearings_have_the_outer_two_as_planes():
     assert [p.vector for p in three.planes] == [p.vector for p in two.planes] and three.rear.z == 0.1675
 
 
+@pytest.mark.parametrize("ratio, count", [(-1, "with"), (1, "with"), (-1, "against")])
+def test_rings_are_said_in_both_angles(ratio, count):
+    """At the bearings a ring stands across from its target, in the engine and as the shop counts."""
+    found = sheet_of(shaft(ratio=ratio), Balancing(zero="200", count=count))
+    for plane, ring in zip(found.planes, found.rings):
+        for one, other in ((plane.target_angle, ring.angle), (plane.shop_angle, ring.shop_angle)):
+            assert abs(math.remainder(one - other, 2 * math.pi)) == pytest.approx(math.pi)
+    labels = {v.id: str(v.label) for v in published(found, "s")}
+    for part in ("front", "ring_rear"):
+        engine = labels[f"s.{part}.target_angle" if part == "front" else f"s.{part}.angle"]
+        assert "in the engine, cylinder 1 at TDC" in engine and "as the shop counts" in labels[f"s.{part}.shop_angle"]
+
+
 def test_extras_are_in_the_target():
     bare = sheet_of(shaft())
     more = sheet_of(shaft(extras=((-0.01, 20.0, 0.0, 0.0),)))
