@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """The sheet for the balancing machine: a page for each shaft that asks for one, or its numbers as CSV."""
 
-import csv
-from io import StringIO
-
 from assistant.exports.kinds import Made, Request
 from calc.design.model import Design
+from calc.locale.language import language
 from calc.sheet.errors import InputError
 from calc.sheet.quantity import dotted
 from calc.sheet.text import Text
-from calc.solve import Results
-from calc.studies.balancing import asked, table_rows
+from calc.studies.balancing import asked
+from calc.studies.balancing_table import csv_text
 
 
 def lacks(wanted: Request) -> InputError | None:
@@ -32,19 +30,8 @@ def lacks(wanted: Request) -> InputError | None:
 
 def made(wanted: Request) -> Made:
     if wanted.ending == "csv":
-        return Made({wanted.path: _rows(wanted.results)})
+        text = csv_text(wanted.results, wanted.document.sha256, language(wanted.lang))
+        return Made({wanted.path: text})
     from reports.balancing_sheet import render  # with reportlab
 
     return Made({wanted.path: render(wanted.document, wanted.results, lang=wanted.lang)})
-
-
-def _rows(results: Results) -> str:
-    """id, value, unit; an empty line before the block of each reading."""
-    file = StringIO()
-    rows = csv.writer(file, lineterminator="\n")
-    rows.writerow(("id", "value", "unit"))
-    for n, block in enumerate(table_rows(results)):
-        if n:
-            file.write("\n")
-        rows.writerows(block)
-    return file.getvalue()

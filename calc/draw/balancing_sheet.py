@@ -249,7 +249,7 @@ def verdict_words(told: "ReadingResult") -> Text:
 def _line(of: BalanceSheet, most: int, say: Say) -> Tables:
     """What the end of the line measures."""
     rows = [_row(say, Text("End of line"), Text("shall be"), Text("measured"))]
-    rows += [_row(say, what, shall, EMPTY) for what, shall in of.line[:most]]
+    rows += [_row(say, row.what, row.shall, EMPTY) for row in of.line[:most]]
     if len(of.line) > most:
         rows.append(_row(say, Text("and {n} more", n=len(of.line) - most), EMPTY, EMPTY))
     return [(0.0, "", rows, _fitted(rows, WIDE, grows=2, least=30.0))] if of.line else []

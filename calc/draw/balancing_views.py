@@ -31,10 +31,20 @@ At = Callable[[Radian, float], Point]
 
 
 @record
+class LineRow:
+    """What the end of the line measures, and what it shall be; the same as numbers in SI, each with the end of its id,
+    its unit and its label."""
+
+    key: str
+    what: Text
+    shall: Text
+    numbers: tuple[tuple[str, float, str, Text], ...] = ()
+
+
+@record
 class BalanceSheet:
     """What is on the sheet of one shaft.  `turn`: 1 where the crank turns clockwise seen from the front; `backwards`:
-    whether the shaft turns against it; `also`: its mirror images; `line`: rows of the end of the line: what, and what
-    it shall be."""
+    whether the shaft turns against it; `also`: its mirror images; `line`: rows of the end of the line."""
 
     found: "BalancingResult"
     outline: "Outline | None"
@@ -42,7 +52,7 @@ class BalanceSheet:
     turn: Number
     backwards: bool
     also: Text
-    line: tuple[tuple[Text, Text], ...]
+    line: tuple[LineRow, ...]
 
 
 # --- the views

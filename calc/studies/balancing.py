@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The balancing sheets of a design, with what the end of its line measures; and the same as rows of a table."""
+"""The balancing sheets of a design, with what the end of its line measures."""
 
 import math
 from collections.abc import Iterator
@@ -9,13 +9,11 @@ import numpy as np
 
 from ..design.predicted import at_speed
 from ..draw.balancing_sheet import at_angle, balancing_sheet, down
-from ..draw.balancing_views import BalanceSheet
+from ..draw.balancing_views import BalanceSheet, LineRow
 from ..draw.sizes import Say, number
 from ..draw.workshop_sheet import DrawnPart, WorkshopSheet
 from ..exchange.frame import frame_of
-from ..exchange.frame import number as exact
 from ..gears.result import TrainResult
-from ..sheet.quantity import published
 from ..sheet.record import replace
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import UNITS, Metre, NewtonMetre
@@ -84,32 +82,45 @@ def _also(view: Results, name: str) -> Text:
 # --- the end of the line
 
 
-def line_rows(view: Results, found: "BalancingResult") -> Iterator[tuple[Text, Text]]:
+def line_rows(view: Results, found: "BalancingResult") -> Iterator[LineRow]:
     """What is measured of the mounted shaft, and what it shall be."""
     known = [plane.permitted for plane in found.planes]
     if None not in known:
-        yield (
+        yield LineRow(
+            "unbalance",
             Text("Unbalance beyond the target, planes I / II"),
             Text("≤ {a} / {b} g·mm", a=down(known[0] or 0.0), b=down(known[1] or 0.0)),
+            (
+                ("front", known[0] or 0.0, "g·mm", Text("at most, front plane")),
+                ("rear", known[1] or 0.0, "g·mm", Text("at most, rear plane")),
+            ),
         )
     train = view.result(TrainResult)
     turn = _turn(view, train)
     if turn is not None:
         angle = at_angle(turn)
-        yield (
+        yield LineRow(
+            "tooth_mark",
             Text("Angle mass to tooth mark, off the drawing"),
             Text("± {angle}, the free turn of the backlash", angle=angle),
+            (("angle", turn, "°", Text("at most, either way")),),
         )
-    for check in found.inputs.line_checks:
+    for n, check in enumerate(found.inputs.line_checks, 1):
         band = drag(view, check)
         if band is not None:
             low, mid, high = (Amount(torque, form=".3g") for torque in band)
             rpm, T = number(UNITS["rpm"].shown(check.speed), 0), number(check.oil_temperature, 0)
-            yield (
+            yield LineRow(
+                f"drag_{n}",
                 Text("Drag torque, {n} rpm, oil at {T} °C", n=rpm, T=T),
                 Text("{low} … {high} N·m, middle {mid}", low=low, high=high, mid=mid),
+                (
+                    ("least", band[0], "N·m", Text("least")),
+                    ("middle", band[1], "N·m", Text("middle")),
+                    ("most", band[2], "N·m", Text("most")),
+                ),
             )
-    yield Text("End float"), Text("as on the drawing")
+    yield LineRow("end_float", Text("End float"), Text("as on the drawing"))
     yield from _backlashes(view, train)
 
 
@@ -152,7 +163,7 @@ def drag(view: Results, check: "LineCheck") -> Drag | None:
     return least / omega, middle / omega, most / omega
 
 
-def _backlashes(view: Results, train: TrainResult | None) -> Iterator[tuple[Text, Text]]:
+def _backlashes(view: Results, train: TrainResult | None) -> Iterator[LineRow]:
     """Of each mesh on the way to the shaft: what is wanted, and what a shim changes."""
     gears, shaft = view.design.gears, view.design.countershaft
     if train is None or gears is None or shaft is None or train.play is None:
@@ -166,22 +177,24 @@ def _backlashes(view: Results, train: TrainResult | None) -> Iterator[tuple[Text
         if mesh.key not in on_way:
             continue
         play, um = train.play[mesh.key], UNITS["µm"].shown
-        label = Text("Backlash {mesh}, normal", mesh=mesh.title)
+        key, label = f"backlash_{mesh.key}", Text("Backlash {mesh}, normal", mesh=mesh.title)
         if play.coat_backlash is not None:
             j = number(um(play.coat_backlash), 0)
-            yield label, Text("set without, on the coat; {j} µm once worn", j=j)
+            worn = ("once_worn", float(play.coat_backlash), "µm", Text("once the coat is worn; set without"))
+            yield LineRow(key, label, Text("set without, on the coat; {j} µm once worn", j=j), (worn,))
             continue
-        j, factor = number(um(wanted[mesh.key]), 0), play.backlash_per_centre
+        j, factor = number(um(wanted[mesh.key]), 0), float(play.backlash_per_centre)
+        numbers = [
+            ("wanted", wanted[mesh.key], "µm", Text("wanted")),
+            ("per_centre", factor, "", Text("of it for each µm of the centres")),
+        ]
         if mesh.shim_step is None:
-            yield label, Text("{j} µm; 10 µm of the centres: {k} µm", j=j, k=number(10 * factor, 1))
+            words = Text("{j} µm; 10 µm of the centres: {k} µm", j=j, k=number(10 * factor, 1))
         else:
-            step = number(um(mesh.shim_step), 0)
-            yield (
-                label,
-                Text(
-                    "{j} µm; a shim of {step} µm changes {k}", j=j, step=step, k=number(um(mesh.shim_step) * factor, 1)
-                ),
-            )
+            step, change = number(um(mesh.shim_step), 0), mesh.shim_step * factor
+            words = Text("{j} µm; a shim of {step} µm changes {k}", j=j, step=step, k=number(um(change), 1))
+            numbers.append(("per_shim", change, "µm", Text("changed by a shim of {step} µm", step=step)))
+        yield LineRow(key, label, words, tuple(numbers))
 
 
 def wanted_backlashes(train: TrainResult) -> dict[str, Metre]:
@@ -208,23 +221,3 @@ def shim(wanted: Metre, measured: Metre, per_centre: float, step: Metre) -> Metr
     30
     """
     return round((wanted - measured) / per_centre / step) * step
-
-
-# --- as rows
-
-
-def table_rows(results: Results) -> list[list[tuple[str, str, str]]]:
-    """Blocks of (id, value, unit): of each shaft its sheet, with what is permitted, and then one of each reading."""
-    blocks = []
-    for name, view in asked(results).items():
-        shaft = view.shaft
-        assert shaft is not None and shaft.balancing is not None
-        step = f"countershaft.{name}" if len(results.design.shafts) > 1 else "countershaft"
-        sheet = f"{step}.balancing"
-        own = published(shaft.balancing, sheet)
-        readings = tuple(f"{sheet}.reading.{serial}." for serial in shaft.balancing.reading)
-        permitted = published(shaft.tolerance, step) if shaft.tolerance is not None else []
-        common = [v for v in own if not v.id.startswith(readings)] + [v for v in permitted if v.unit == "g·mm"]
-        for block in (common, *([v for v in own if v.id.startswith(of)] for of in readings)):
-            blocks.append([(v.id, exact(v.shown), v.unit) for v in block])
-    return blocks

@@ -2,6 +2,7 @@
 and both as exports and in a report."""
 
 import csv
+import math
 from io import BytesIO, StringIO
 from pathlib import Path
 
@@ -129,17 +130,57 @@ def test_the_pdf_is_a_page_of_a4_and_the_same_bytes(plain):
     assert [round(float(x) / 72 * 25.4) for x in (only.mediabox.width, only.mediabox.height)] == [210, 297]
 
 
-def test_the_rows_of_the_csv_are_the_values(shipped):
-    document, results = shipped
+def table_of(document, results):
+    """Lines with #, the names of the columns, and blocks of rows by their id."""
     (text,) = balancing.made(Request(Path("sheet.csv"), document, results)).files.values()
-    head, *blocks = text.partition("\n")[0], *text.partition("\n")[2].split("\n\n")
-    assert head == "id,value,unit" and len(blocks) == 2
-    known = results.values()
-    rows = [row for block in blocks for row in csv.reader(StringIO(block)) if row]
-    assert len(rows) > 15
-    for id, value, unit in rows:
-        assert (float(value), unit) == (known[id].shown, known[id].unit)
-    assert all(".reading.L-0117." in row[0] for row in csv.reader(StringIO(blocks[1])) if row)
+    lines = text.split("\n")
+    head = [line for line in lines if line.startswith("#")]
+    names, *rest = lines[len(head) :]
+    blocks = [list(csv.DictReader(StringIO(f"{names}\n{block}"))) for block in "\n".join(rest).split("\n\n")]
+    return head, names, [{row["id"].partition(".balancing.")[2] or row["id"]: row for row in block} for block in blocks]
+
+
+@pytest.fixture(scope="module")
+def table(shipped):
+    return table_of(*shipped)
+
+
+def test_the_table_says_what_is_counted_from_where(shipped, table):
+    head, names, blocks = table
+    assert names == "id,value,unit,label" and len(blocks) == 2
+    said = dict(line[2:].split(": ", 1) for line in head)
+    assert said["sha256"] == shipped[0].sha256 and said["program"].startswith("Contralbero ")
+    assert said["design"] == shipped[1].design.name and said["zero, left"] == "0 = middle of mass front"
+    assert "# sense, left: angles count clockwise, seen from the front" in head
+    assert {"angles", "places", "units", "verdict"} <= {*said}
+
+
+def test_the_rows_that_are_values_are_those_of_the_design(shipped, table):
+    known = shipped[1].values()
+    rows = {row["id"]: row for block in table[2] for row in block.values()}
+    same = [id for id in rows if id in known]
+    assert all((float(rows[id]["value"]), rows[id]["unit"]) == (known[id].shown, known[id].unit) for id in same)
+    assert {id for id in known if ".left.balancing." in id} <= {*same} and all(row["label"] for row in rows.values())
+
+
+def test_the_table_has_all_that_is_on_the_page(table):
+    sheet, read = table[2]
+
+    def number(id, rows=sheet):
+        return float(rows[id]["value"])
+
+    assert (number("ring_front.angle"), number("ring_front.shop_angle")) == (0.0, 180.0)
+    assert (number("front.z"), number("ring_rear.z"), number("hole.front.z")) == (-112.0, 112.0, -58.0)
+    assert (number("hole.front.angle"), number("hole.front.shop_angle"), number("hole.rear.diameter")) == (180, 0, 8)
+    assert number("hole.front.depth_100") == pytest.approx(8.0) and sheet["hole.front.depth_10"]["value"] == ""
+    assert number("line.drag_1.least") < number("line.drag_1.middle") < number("line.drag_1.most")
+    assert number("line.backlash_crank_left-idler.wanted") == pytest.approx(90.0, abs=0.5)
+    assert "as on the drawing" in sheet["line.end_float"]["label"]
+    of = {id.removeprefix("reading.L-0117."): row for id, row in read.items()}
+    assert (of["verdict_as_read"]["value"], of["verdict"]["value"], of["kind"]["value"]) == ("fail", "pass", "residual")
+    assert number("read_front", of) == 31.0 and number("read_rear.shop_angle", of) == 352.0
+    assert number("unreached_front", of) == pytest.approx(31.0 * math.sin(math.radians(8.0)), rel=1e-9)
+    assert number("unreached_front.shop_angle", of) == pytest.approx(90.0)
 
 
 def test_a_design_that_does_not_ask_has_no_sheet():
