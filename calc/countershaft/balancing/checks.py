@@ -11,7 +11,7 @@ from ...sheet.arrays import Array
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.remedy import by_key, digits
-from ...sheet.text import Name, Text
+from ...sheet.text import Amount, Name, Text
 from ...sheet.units import UNITS, Metre
 from ..inputs import ShaftInputs
 from ..rows import SHAFT
@@ -123,12 +123,18 @@ def reading_check(found: BalancingResult, serial: str) -> Check:
 
     n = max((0, 1), key=decides)
     plane, words = found.planes[n], (Text("front plane"), Text("rear plane"))[n]
-    error, unsure = counted_error(plane), None
-    if error:
-        taken = Text("its readings, within their error in the {plane}", plane=words)
-        unsure = Missing((ERROR,), (taken,), max(left[n] - error, 0.0), left[n] + error)
     where = Text("{name}, {plane}", name=name, plane=words)
-    return READING(left[n], _permitted(plane), at=serial, name=where, missing=unsure)
+    if reading.told is None or reading.told[n] != "between":
+        return READING(left[n], _permitted(plane), at=serial, name=where)
+    error = counted_error(plane)
+    unsure = Missing((), (), max(left[n] - error, 0.0), left[n] + error)  # nothing is lacking but a better machine
+    shown = Amount(UNITS["g·mm"].shown(error), "g·mm", form=".3g")
+    cannot = Text(
+        "This machine can't tell: what is left is within its error, ± {error}, of what is permitted. A better machine, "
+        "closer rings, or deeper holes.",
+        error=shown,
+    )
+    return READING(left[n], _permitted(plane), at=serial, name=where, missing=unsure, advice=cannot)
 
 
 def _permitted(plane: BalancingPlane) -> float:

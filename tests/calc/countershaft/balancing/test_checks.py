@@ -59,6 +59,11 @@ def test_a_reading(share, error, verdict):
     read = reading("7", (0.0, 0.0), (share * U * 1e6, 77.0))
     found = judged(readings=(read,), measurement_error=(0.0, error * U))["7"]
     assert found.verdict == verdict and found.id == "countershaft.balancing.reading.7"
+    assert not found.missing and not found.taken  # the machine's error is given, whatever it can tell
+    assert (found.at_best is not None) is (verdict == "not_verified")
+    if verdict == "not_verified":
+        assert str(found.advice).startswith("This machine can't tell: what is left is within its error, ± ")
+        assert "Not given" not in str(found.lack_text())
 
 
 # --- room around the holes
