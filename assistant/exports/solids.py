@@ -6,7 +6,9 @@ from dataclasses import replace
 from functools import cached_property
 
 from assistant.exports.kinds import Request
+from calc.countershaft.balancing.checks import outside_words
 from calc.countershaft.balancing.inputs import Balancing
+from calc.countershaft.balancing.result import Drill
 from calc.countershaft.balancing.solve import Made as Undrilled
 from calc.countershaft.balancing.solve import drills
 from calc.countershaft.outline import Outline
@@ -144,10 +146,20 @@ class Solids:
         return self.teeth or has_blank(self.drawn(shaft)[0], self.train.wheels[name], self.planes[name])
 
     def _holes(self, view: Results) -> list[Hole]:
-        """The holes of the balancing sheet at their greatest depth: as [shafts.balancing] places them, else the
-        calibration holes, in a row along each mass.  Raises BadInput where there are none."""
+        """The holes of the balancing sheet at their greatest depth, but those that would be in the air."""
+        asked = (o for o in self._drills(view) if o.outside is None)
+        return [Hole(o.name, o.z, o.angle, o.R, o.diameter, o.depth, o.point) for o in asked]
+
+    def not_drilled(self, shaft: Resolved) -> list[Text]:
+        """Which holes would be in the air."""
+        aside = (drill for drill in self._drills(self.results.view(shaft.name)) if drill.outside is not None)
+        return [Text("{hole}: it is not drilled.", hole=outside_words(drill)) for drill in aside]
+
+    def _drills(self, view: Results) -> tuple[Drill, ...]:
+        """Where they are asked for: as [shafts.balancing] places them, else the calibration holes, in a row along each
+        mass.  Raises BadInput where there are none."""
         if not self.options.get("drilled"):
-            return []
+            return ()
         shaft, solved = view.design.countershaft, view.shaft
         assert shaft is not None and solved is not None
         made = Undrilled(solved.masses, solved.outline, shaft.outer_radius, 0.0, 0.0, None)
@@ -158,7 +170,7 @@ class Solids:
                 "[[shafts.balancing.holes]]"
             )
             raise BadInput("contralbero export", [InputError(0, "--drilled", "", reason)])
-        return [Hole(o.name, o.z, o.angle, o.R, o.diameter, o.depth, o.point) for o in holes]
+        return holes
 
 
 def outline_of(view: Results) -> Outline:

@@ -75,7 +75,7 @@ def _shafts(asked: Request, solids: Solids) -> Written:
         files[path] = step_file(
             [solid.part], path.name, date_of(solids.design), _words(solids, drilled, words, *_teeth(solids))
         )
-        said += [*table([(solid, shaft.name)]), *_left_out(shaft, solids.drawn(shaft)[0])]
+        said += [*table([(solid, shaft.name)]), *solids.not_drilled(shaft), *_left_out(shaft, solids.drawn(shaft)[0])]
         if solids.teeth:
             said += changed(solid, solids.with_blank(shaft))
     return files, said
@@ -103,7 +103,7 @@ def _module(asked: Request, solids: Solids) -> Written:
     for shaft in solids.design.resolved:
         solid = solids.shaft(shaft)
         shafts.append((solid, axes[shaft.name]))
-        said += _left_out(shaft, solids.drawn(shaft)[0])
+        said += [*solids.not_drilled(shaft), *_left_out(shaft, solids.drawn(shaft)[0])]
         if (wheel := solids.wheel_on(shaft)) is not None:
             on[wheel] = shaft
             if solids.teeth:

@@ -239,7 +239,8 @@ class Closing(ItemList):
         missing = [Text("{input} is not given", input=self._labels(tuple(keys)))] if keys else []
         ids = dict.fromkeys(method for check in checks for method in check.outside)
         methods = COMMA.join(names.get(method, Name(method)) for method in ids)
-        return SEMICOLON.join([*missing, *([Text("outside validity, {methods}", methods=methods)] if methods else [])])
+        outside = [Text("outside validity, {methods}", methods=methods)] if methods else []
+        return SEMICOLON.join([*missing, *outside] or [Text("closer to its limit than can be told")])
 
     def _labels(self, keys: tuple[str, ...]) -> Text:
         labels = [self.app.say(label_of(self.session.data, key)) for key in keys]

@@ -645,7 +645,7 @@ class ShaftInputs:
             )
         if self.balancing is not None:
             angles = {mass.name: mass.angle for mass in self.masses} if self.mode == "given" else {}
-            there = [Stretch(s.from_, s.to, s.outer_radius, s.half_angle is not None) for s in self.sections]
+            there = [Stretch(s.from_, s.to, s.outer_radius, s.angle, s.half_angle) for s in self.sections]
             wrong = balancing_problems(self.balancing, angles, there, self.outer_radius)
             yield from ((dotted(ShaftInputs.balancing, key), why) for key, why in wrong)
         yield from self._envelope()

@@ -59,7 +59,13 @@ def _fitting(of: BalanceSheet, room: float, say: Say) -> tuple[float, "list[Tabl
     the line."""
     ways = [(ROW, 4, MANY), (ROW, 2, MANY), *((CLOSE, n, MANY) for n in (4, 2, 1)), *((CLOSE, 1, n) for n in (5, 3, 1))]
     for row, readings, lines in ways:
-        tables = [_targets(of, say), _holes(of, say), *_read(of, readings, say), _line(of, lines, say)]
+        tables = [
+            _targets(of, say),
+            _holes(of, say),
+            _not_drilled(of, say),
+            *_read(of, readings, say),
+            _line(of, lines, say),
+        ]
         if sum(_height(table, row) + GAP for table in tables) <= room:
             break
     return row, tables
@@ -172,6 +178,12 @@ def _holes(of: BalanceSheet, say: Say) -> Tables:
         )
     )
     return [(0.0, head, rows, _fitted(rows, WIDE))]
+
+
+def _not_drilled(of: BalanceSheet, say: Say) -> Tables:
+    """Holes that would be in the air."""
+    rows = [_row(say, Name(drill.name), drill.outside or EMPTY) for drill in of.found.outside]
+    return [(0.0, say(Text("Not drilled, in the air")), rows, (30.0, WIDE - 30.0))] if rows else []
 
 
 def depth_words(hole: "HoleTakes", h: Metre) -> Text:

@@ -13,7 +13,7 @@ from ..draw.balancing_views import LineRow, conditions
 from ..draw.sizes import Say
 from ..exchange.frame import number as exact
 from ..sheet.quantity import published
-from ..sheet.text import Text
+from ..sheet.text import Name, Text
 from ..sheet.units import UNITS, Radian
 from ..sheet.version import VERSION
 from ..sheet.visible import visible
@@ -88,6 +88,9 @@ def table_rows(results: Results) -> list[list[Row]]:
         block += _places(found, sheet)
         for hole in found.hole.values():
             block += _hole(found, hole, f"{sheet}.hole.{hole.drill.name}")
+        for drill in found.outside:
+            why = Text("Hole {name} is not drilled: {where}", name=Name(drill.name), where=drill.outside)
+            block.append((f"{sheet}.hole.{drill.name}", "", "", why))
         for row in page_of(view, name).line:
             block += _line(row, f"{sheet}.line.{row.key}")
         blocks.append(block)

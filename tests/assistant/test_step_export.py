@@ -80,6 +80,8 @@ def test_one_shaft_by_its_name_and_with_its_holes(run):
     assert code == 0 and list(files) == ["out.step"] and "undrilled" in said
     assert b"PRODUCT('right'" in files["out.step"] and b"'drilled to the greatest depth'" in files["out.step"]
     assert b"CONICAL_SURFACE" in files["out.step"]
+    assert "Hole rear-1 is outside of its sector, which goes from 90° to 270°: it is not drilled." in said
+    assert files["out.step"].count(b"CONICAL_SURFACE") == 1 and "Hole front-1" not in said
 
 
 def test_one_shaft_by_its_name_asks_nothing_of_the_others(run):

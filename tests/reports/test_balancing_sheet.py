@@ -21,6 +21,7 @@ from calc.draw.drawing import Words, strokes_of
 from calc.draw.workshop_sheet import BLOCK_TOP, LEFT, STAMP, DrawnPart
 from calc.locale import language
 from calc.sheet.record import replace
+from calc.sheet.text import Text
 from calc.sheet.value import recorded
 from calc.solve import solve
 from calc.studies.balancing import drag, page_of, sheets
@@ -76,6 +77,16 @@ def test_what_the_operator_looks_for_stands_there(shipped, page):
         assert asked in there
     assert "(on right, the mirror image, anticlockwise)" in there and "1: 3.4 · 2: 1.3" in there
     assert {"Serial number", "Date", "Name", "Drag torque, 1000 rpm, oil at 40 °C"} <= {*there}
+
+
+def test_a_hole_in_the_air_has_no_depths_on_the_page(shipped, page):
+    front = page.found.hole["front"].drill
+    aside = replace(front, name="aside", outside=Text("outside of its sector"))
+    drawn = [
+        words.text
+        for words in words_on(sheet_in(replace(page, found=replace(page.found, outside=(aside,))), shipped[1]))
+    ]
+    assert drawn.count("Not drilled, in the air") == drawn.count("aside") == drawn.count("outside of its sector") == 1
 
 
 MANY = "[shafts.balancing]\nzero = 215\nring_positions_mm = [-130, 150]\n" + "".join(

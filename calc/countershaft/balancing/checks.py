@@ -11,7 +11,7 @@ from ...sheet.arrays import Array
 from ...sheet.check import Check, CheckRule, Missing
 from ...sheet.quantity import dotted
 from ...sheet.remedy import by_key, digits
-from ...sheet.text import Amount, Name, Text
+from ...sheet.text import SEMICOLON, Amount, Name, Text
 from ...sheet.units import UNITS, Metre
 from ..inputs import ShaftInputs
 from ..rows import SHAFT
@@ -105,8 +105,9 @@ def checks(found: BalancingResult) -> Iterator[Check]:
             yield RINGS(max(ring), RING_SHARE * min(known))
         if any(error := [plane.error for plane in found.planes]):
             yield ERRORS(max(error), ERROR_SHARE * min(known))
-    if found.hole:
-        room, words, R = least_room([hole.drill for hole in found.hole.values()])
+    drills = [*(hole.drill for hole in found.hole.values()), *found.outside]
+    if drills:
+        room, words, R = least_room(drills)
         yield ROOM(room, 0.0, name=words, scale=R)
 
 
@@ -146,13 +147,32 @@ def _permitted(plane: BalancingPlane) -> float:
 
 
 def least_room(drills: Sequence[Drill]) -> tuple[Metre, Text, Metre]:
-    """The least metal around any hole, below zero where it breaks out, whose it is, and the outer radius there."""
+    """The least metal around any hole, below zero where it breaks out, whose it is, and the outer radius there; first
+    of those that would be in the air: their drill, wholly beside the metal."""
+    if aside := [drill for drill in drills if drill.outside is not None]:
+        said = SEMICOLON.join(outside_words(drill) for drill in aside)
+        worst = min(aside, key=_beside)
+        return _beside(worst), said, worst.R
     found = [room for drill in drills for room in _rooms(drill)]
     for one, other in combinations(drills, 2):
         apart = segments_apart(*_axis(one), *_axis(other)) - (one.diameter + other.diameter) / 2
         words = Text("Metal between holes {one} and {other}", one=Name(one.name), other=Name(other.name))
         found.append((apart, words, one.R))
     return min(found, key=lambda room: room[0])
+
+
+def outside_words(drill: Drill) -> Text:
+    """Of a hole that would be in the air."""
+    assert drill.outside is not None
+    return Text("Hole {name} is {where}", name=Name(drill.name), where=drill.outside)
+
+
+def _beside(drill: Drill) -> Metre:
+    """How far a hole in the air is off its sector, below zero, with its own radius."""
+    if drill.half is None:
+        return -drill.diameter / 2
+    off = abs(math.remainder(drill.angle - drill.middle, 2 * math.pi)) - drill.half
+    return -drill.R * math.sin(min(off, math.pi / 2)) - drill.diameter / 2
 
 
 def _rooms(drill: Drill) -> Iterator[tuple[Metre, Text, Metre]]:

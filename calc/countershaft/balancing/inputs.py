@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...sheet.quantity import choice, dotted, inputs, quantity, series, tables, text
 from ...sheet.record import record
-from ...sheet.text import Amount, Name, Text
+from ...sheet.text import COMMA, Amount, Name, Text
 
 POINT = math.radians(118.0)  # of a usual twist drill
 ENGINE, OF_MASS = "engine", "mass "  # the words of `zero`, the second before a name
@@ -17,6 +17,7 @@ MOST_HOLES = 12
 SERIAL = re.compile(r"[A-Za-z0-9-]+")
 SIMILAR = 1e-9  # m
 WIDEST = 720  # degrees, of all angles here
+ROUNDING = 1e-9  # rad
 
 
 @inputs
@@ -207,12 +208,18 @@ class Balancing:
 
 @record
 class Stretch:
-    """A given section of the shaft: where it begins and ends, its outer radius, and whether it is a sector."""
+    """A given section of the shaft: where it begins and ends, its outer radius, and of a sector where its middle stands
+    and half of what it spans."""
 
     start: float
     end: float
     radius: float
-    sector: bool
+    middle: float | None
+    half: float | None
+
+    @property
+    def sector(self) -> bool:
+        return self.half is not None
 
 
 def problems(
@@ -237,6 +244,12 @@ def _hole(hole: BalancingHole, sections: Sequence[Stretch], outer_radius: float 
     if sectors and not there:
         where = ", ".join(f"{s.start * 1e3:g} … {s.end * 1e3:g}" for s in sectors)
         yield dotted(BalancingHole.z), Text("lies in no sector; they are {where} mm", where=where)
+    elif there and all(s.middle is not None and s.half is not None for s in there):
+        reach = [(s.middle or 0.0, s.half or 0.0) for s in there]
+        if not any(within(hole.angle, *each) for each in reach):
+            where = COMMA.join(dict.fromkeys(from_to(*each) for each in reach))
+            words = Text("must lie in the sector there, which goes {where}: outside of it is air", where=where)
+            yield dotted(BalancingHole.angle), words
     R = hole.radius
     if R is None:
         R = there[0].radius if there else outer_radius
@@ -247,6 +260,20 @@ def _hole(hole: BalancingHole, sections: Sequence[Stretch], outer_radius: float 
         )
     if R is not None and hole.diameter >= 2 * R:
         yield dotted(BalancingHole.diameter), Text("must stay below the diameter there, {D} mm", D=_mm(2 * R))
+
+
+def within(angle: float, middle: float, half: float) -> bool:
+    """Whether a direction lies in a sector [rad]."""
+    return abs(math.remainder(angle - middle, 2 * math.pi)) <= half + ROUNDING
+
+
+def from_to(middle: float, half: float) -> Text:
+    """Where a sector begins and ends, in the engine."""
+    turn = 2 * math.pi
+    at = middle % turn
+    at -= turn if at + half > turn + ROUNDING else 0.0
+    low, high = (Amount(round(math.degrees(angle), 6), "°", form="g") for angle in (at - half, at + half))
+    return Text("from {low} to {high}", low=low, high=high)
 
 
 def _mm(length: float) -> Amount:

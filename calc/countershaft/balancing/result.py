@@ -44,7 +44,8 @@ class BalancingRing(Shown):
 @record
 class Drill:
     """A hole as it may be drilled: from radius R inwards, in a piece from `start` to `end` whose core has the radius
-    `core` and whose sector stands at `middle` ± `half` (None: a full cylinder)."""
+    `core` and whose sector stands at `middle` ± `half` (None: a full cylinder).  `outside`: why it would be in the air,
+    where it would be."""
 
     name: str
     z: Metre
@@ -59,6 +60,7 @@ class Drill:
     middle: Radian
     half: Radian | None
     density: KilogramPerMetre3
+    outside: Text | None = None
 
 
 @result
@@ -98,6 +100,7 @@ class BalancingResult(Shown):
     ring_rear: BalancingRing = group()
     hole: dict[str, HoleTakes] = group()
     reading: dict[str, ReadingResult] = group()
+    outside: tuple[Drill, ...]  # holes that are asked for and would be in the air: they take nothing
     inputs: Balancing
     zero: Radian  # from which the shop counts, in the engine
     sense: Number  # 1 where it counts in the sense of crank rotation, −1 against it

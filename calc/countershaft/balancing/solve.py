@@ -14,8 +14,8 @@ from ...draw.drawing import TOUCH
 from ...sheet.linked_array import column, item
 from ...sheet.quantity import Described, Stated
 from ...sheet.record import record
-from ...sheet.text import Name, Text
-from ...sheet.units import KilogramMetre, KilogramPerMetre3, Metre, Number, Radian
+from ...sheet.text import Amount, Name, Text
+from ...sheet.units import UNITS, KilogramMetre, KilogramPerMetre3, Metre, Number, Radian
 from ...sheet.value import about, based_on
 from ..inputs import EccentricMass, ShaftInputs
 from ..making.unbalance import ToleranceResult
@@ -23,7 +23,7 @@ from ..outline import Outline, Piece
 from . import formulas as f
 from . import hole as h
 from .drilling import amounts
-from .inputs import ENGINE, POINT, Balancing, MachineReading
+from .inputs import ENGINE, POINT, Balancing, MachineReading, from_to, within
 from .result import BalancingPlane, BalancingResult, BalancingRing, Drill, HoleTakes, ReadingResult, Told
 
 DISREGARDED = 0.05  # of U_per: an error of the machine below this share is none (ISO 21940-14)
@@ -59,7 +59,8 @@ def sheet(shaft: ShaftInputs, table: Balancing, made: Made) -> BalancingResult |
         front = _ring(f.ring_front(*target, z_1=z_1, z_2=z_2), z_1, size, zero, s)
     with about(Text("rear ring")):
         rear = _ring(f.ring_rear(*target, z_1=z_1, z_2=z_2), z_2, size, zero, s)
-    holes = {drill.name: _hole(drill, planes) for drill in drills(shaft, table, made)}
+    asked = drills(shaft, table, made)
+    holes = {drill.name: _hole(drill, planes) for drill in asked if drill.outside is None}
     return BalancingResult(
         front=planes[0],
         rear=planes[1],
@@ -67,6 +68,7 @@ def sheet(shaft: ShaftInputs, table: Balancing, made: Made) -> BalancingResult |
         ring_rear=rear,
         hole=holes,
         reading={each.serial: _reading(each, planes, tuple(holes.values()), zero, s) for each in table.readings},
+        outside=tuple(drill for drill in asked if drill.outside is not None),
         inputs=table,
         zero=zero,
         sense=s,
@@ -176,7 +178,7 @@ def _drill(
 ) -> Drill | None:
     """A hole with what stands around it; None where its outer radius is not known."""
     name, z, angle, diameter, depth, point = size
-    piece, stretched = _piece(made.outline, z), stretch(made.outline, z)
+    piece, stretched = _piece(made.outline, z, angle), stretch(made.outline, z)
     if stretched is None:  # in none: it breaks out of the nearest one
         stretched = min(_stretches(made.outline), key=lambda run: max(run[0] - z, z - run[1]), default=None)
     R = radius if radius is not None else piece.outer_radius if piece is not None else made.R
@@ -201,13 +203,28 @@ def _drill(
         middle=piece.angle if piece is not None else angle,
         half=piece.half_angle if piece is not None else None,
         density=made.of_sectors if sector or piece is None else made.of_core,
+        outside=_outside(made.outline, piece, angle),
     )
 
 
-def _piece(outline: Outline | None, z: Metre) -> Piece | None:
-    """What stands at a place: a sector rather than what touches it."""
+def _outside(outline: Outline | None, piece: Piece | None, angle: Radian) -> Text | None:
+    """Why a hole would be in the air, where the shape of the shaft is known."""
+    if outline is None:
+        return None
+    if piece is None:
+        low, high = (Amount(UNITS["mm"].shown(z), form="g") for z in (outline.start, outline.end))
+        return Text("outside of the shaft, which goes from {low} to {high} mm", low=low, high=high)
+    if piece.half_angle is None or within(angle, piece.angle, piece.half_angle):
+        return None
+    return Text("outside of its sector, which goes {where}", where=from_to(piece.angle, piece.half_angle))
+
+
+def _piece(outline: Outline | None, z: Metre, angle: Radian | None = None) -> Piece | None:
+    """What stands at a place: a sector rather than what touches it, of two sectors the one that reaches to `angle`."""
     pieces = [] if outline is None else [p for p in outline.pieces if p.start - TOUCH <= z <= p.end + TOUCH]
-    return next((piece for piece in pieces if piece.half_angle is not None), pieces[0] if pieces else None)
+    sectors = [(piece, piece.half_angle) for piece in pieces if piece.half_angle is not None]
+    reaching = [piece for piece, half in sectors if angle is not None and within(angle, piece.angle, half)]
+    return next(iter((*reaching, *(piece for piece, _ in sectors), *pieces)), None)
 
 
 def stretch(outline: Outline | None, z: Metre) -> tuple[Metre, Metre] | None:

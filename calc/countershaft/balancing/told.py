@@ -7,6 +7,7 @@ from ...sheet.step import Table
 from ...sheet.text import COMMA, Name, Text
 from ...sheet.units import UNITS
 from ..inputs import EccentricMass, ShaftInputs
+from .checks import outside_words
 from .inputs import Balancing
 from .result import BalancingResult
 from .solve import STEPS
@@ -32,11 +33,14 @@ def notes(shaft: ShaftInputs, found: BalancingResult) -> Iterator[Text]:
     if found.reading and found.front.permitted is None:
         yield Text("Readings are not judged: what is permitted needs the mass of the whole shaft.")
     asked = len(found.inputs.holes)
-    if len(found.hole) < asked or (not found.hole and shaft.holes is not None):
+    there = len(found.hole) + len(found.outside)
+    if there < asked or (not there and shaft.holes is not None):
         yield Text(
             "Holes to drill: left out where the radius is not known from which they go: give radius_mm, or the outline "
             "of the shaft."
         )
+    for drill in found.outside:
+        yield Text("{hole}: it is not drilled.", hole=outside_words(drill))
 
 
 def tables(found: BalancingResult) -> Iterator[Table]:

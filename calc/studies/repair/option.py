@@ -179,6 +179,8 @@ def _effect(
     ids = {c.id for c in group}
     if unknown := [c for c in after.results.checks() if c.id in ids and c.verdict == "not_verified"]:
         keys = dict.fromkeys(key for c in unknown for key in c.missing)
+        if not keys:
+            return Text("holds as computed; closer to its limit than can be told")
         inputs = COMMA.join(asked(after.document, key) for key in keys)
         return Text("holds as taken; not verified without {keys}", keys=inputs)
     return Text("passes, also at every corner") if any(c.rule in AT_CORNERS for c in group) else Text("passes")

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from calc.countershaft.balancing.checks import checks, least_room, segments_apart
-from calc.countershaft.balancing.inputs import Balancing
+from calc.countershaft.balancing.inputs import Balancing, from_to
 from calc.countershaft.balancing.solve import Made, drills
+from calc.countershaft.balancing.told import notes
 from calc.countershaft.inputs import Holes
 from calc.countershaft.outline import Outline, Piece
 from calc.design.toml_file import design, load_design, parse
@@ -96,6 +97,30 @@ def test_a_hole_stays_in_its_sector():
     assert across[1] == "Metal beside hole a, across its sector"
 
 
+def test_a_hole_in_the_air_is_not_drilled():
+    """It fails whatever else has room, takes nothing, and no reading asks for it."""
+    holes = hole("a", 0.0, 0.0, depth=8.0), hole("b", 0.0, 75.0, depth=8.0), hole("c", 60.0, 0.0, depth=8.0)
+    table = Balancing(holes=holes, readings=(reading("7", (300.0, 75.0), (300.0, 75.0)),))
+    found = sheet_of(shaft([(1.0, 20.0, 0.0, 0.0)]), table, PER, outline=outlined())
+    assert [*found.hole] == ["a"] and [drill.name for drill in found.outside] == ["b", "c"]
+    assert found.reading["7"].hole.keys() == {"a"}
+    room = {check.id: check for check in checks(found)}["countershaft.balancing.holes"]
+    assert room.verdict == "fail" and str(room.name) == (
+        "Hole b is outside of its sector, which goes from -70° to 70°; "
+        "Hole c is outside of the shaft, which goes from -50 to 50 mm"
+    ).replace("-", "−")
+    assert room.value == pytest.approx(-40.5 * math.sin(math.radians(5.0)) - 7.0)
+    said = [str(note) for note in notes(shaft(), found)]
+    assert any(note.startswith("Hole b is outside of its sector") and "is not drilled" in note for note in said)
+
+
+@pytest.mark.parametrize(
+    "middle, words", [(0.0, "−70° to 70°"), (210.0, "140° to 280°"), (-20.0, "−90° to 50°"), (700.0, "−90° to 50°")]
+)
+def test_from_where_to_where_a_sector_goes(middle, words):
+    assert str(from_to(math.radians(middle), math.radians(70.0))) == f"from {words}"
+
+
 def test_holes_do_not_cross():
     beside = room(hole("a", 0.0, 0.0, depth=8.0), hole("b", 13.9, 0.0, depth=8.0))
     assert beside == (pytest.approx(-0.1), "Metal between holes a and b")
@@ -153,6 +178,18 @@ def errors(table):
     with pytest.raises(BadInput) as bad:
         design(parse(text.encode(), "bad.toml"))
     return {error.key.partition("balancing.")[2]: str(error.reason) for error in bad.value.errors}
+
+
+@pytest.mark.parametrize("angle, wrong", [(94.0, True), (96.0, False), (265.0, False), (-94.0, True), (540.0, False)])
+def test_an_angle_is_in_a_sector_at_its_place(angle, wrong):
+    """Those of the shipped design go from 94.9° to 265.1°."""
+    row = f'[[shafts.balancing.holes]]\nname = "a"\nz_mm = 60\nangle_deg = {angle}\ndiameter_mm = 8\n'
+    found = errors(row + "depth_max_mm = 8\n" + "[[shafts.balancing.holes]]\n")  # the second row lacks all
+    assert ("holes.0.angle_deg" in found) is wrong
+    if wrong:
+        assert found["holes.0.angle_deg"] == (
+            "must lie in the sector there, which goes from 94.9° to 265.1°: outside of it is air"
+        )
 
 
 def test_all_that_is_wrong_is_said_at_once():
