@@ -12,7 +12,7 @@ from calc.countershaft.balancing.result import Drill
 from calc.countershaft.balancing.solve import Made as Undrilled
 from calc.countershaft.balancing.solve import drills
 from calc.countershaft.outline import Outline
-from calc.countershaft.twins import Resolved
+from calc.countershaft.twins import Resolved, turned_alike
 from calc.exchange.frame import frame_of
 from calc.exchange.places import WheelPlace, planes_of, wheel_places
 from calc.gears.profile.outline import shifts
@@ -20,7 +20,7 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Amount, Name, Text
 from calc.sheet.units import Metre, Radian
 from calc.solve import Results
-from reports.step.shaft import Hole, WeighedPart, mirrored, shaft_solid, turned_alike
+from reports.step.shaft import Hole, WeighedPart, mirrored, shaft_solid
 from reports.step.teeth import has_blank, seat, toothed_shaft
 from reports.step.wheel import opening, wheel_solid
 
@@ -105,13 +105,19 @@ class Solids:
         if shaft.how == "own" or self.teeth:
             return None
         view = self.results.view(shaft.name)
-        same = 0.0 if shaft.how == "repeats" else turned_alike(outline_of(view), self._holes(view))
+        holes = [hole.angle for hole in self._holes(view)]
+        same = 0.0 if shaft.how == "repeats" else turned_alike(outline_of(view), holes)
         if same is None:
             return None
         turned, words = round(math.degrees(same), 9), dict(name=Name(shaft.name), original=Name(shaft.of or ""))
-        if not turned:
+        if shaft.how == "repeats":
             return Text("{name} is the same part as {original}.", **words)
-        return Text("{name} is the same part as {original}, turned by {angle}.", **words, angle=Amount(turned, "°"))
+        said = Text("{name} is the mirror image of {original}, which is the same part", **words)
+        if self.wheel_on(shaft) is not None:
+            said = Text("{name} is the mirror image of {original}, which without its teeth is the same part", **words)
+        if turned:
+            return Text("{said}, turned by {angle}.", said=said, angle=Amount(turned, "°"))
+        return Text("{said}.", said=said)
 
     def shaft(self, shaft: Resolved) -> WeighedPart:
         shape, holes = self.drawn(shaft)

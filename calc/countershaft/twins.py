@@ -5,16 +5,23 @@ The mirror image in the vertical plane through the crank turns the other way; it
 each at the same place along the engine, its axis at the same height on the other side.  A repeated shaft is the same
 once more, about an axis of its own."""
 
+import cmath
+import math
 from collections.abc import Iterable
-from typing import Literal, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 from ..sheet.record import record, replace
+from ..sheet.units import Radian
 from ..sheet.value import based_on
 from .inputs import EccentricMass, Section, ShaftInputs
 from .rows import BearingRow, said_in
 
+if TYPE_CHECKING:
+    from .outline import Outline
+
 How = Literal["own", "mirrors", "repeats"]
 M = TypeVar("M", bound=EccentricMass)
+SAME_ANGLE = 1e-9  # rad
 
 
 @record
@@ -82,3 +89,14 @@ def turned_over(mass: M) -> M:
 
 def _section_turned_over(section: Section) -> Section:
     return section if section.angle is None else replace(section, angle=based_on(-section.angle, section.angle))
+
+
+def turned_alike(shape: "Outline", holes: Iterable[Radian] = ()) -> Radian | None:
+    """By which angle the part is to be turned about its axis to be its mirror image, 0 … 2π; None: it is another part.
+    All that is eccentric then lies in one plane through the axis.  `holes`: their directions."""
+    angles = [p.angle for p in shape.pieces if p.half_angle is not None and p.half_angle < math.pi - SAME_ANGLE]
+    turns = [cmath.rect(1.0, -2 * angle) for angle in (*angles, *holes)]
+    if any(abs(turn - turns[0]) > SAME_ANGLE for turn in turns):
+        return None
+    turn = cmath.phase(turns[0]) % (2 * math.pi) if turns else 0.0
+    return 0.0 if 2 * math.pi - turn < SAME_ANGLE else turn

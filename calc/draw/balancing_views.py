@@ -44,7 +44,8 @@ class LineRow:
 @record
 class BalanceSheet:
     """What is on the sheet of one shaft.  `turn`: 1 where the crank turns clockwise seen from the front; `backwards`:
-    whether the shaft turns against it; `also`: its mirror images; `line`: rows of the end of the line."""
+    whether the shaft turns against it; `also`: its mirror images, `same`: whether
+    they are the same part; `line`: rows of the end of the line."""
 
     found: "BalancingResult"
     outline: "Outline | None"
@@ -52,6 +53,7 @@ class BalanceSheet:
     turn: Number
     backwards: bool
     also: Text
+    same: Text
     line: tuple[LineRow, ...]
 
 
@@ -103,7 +105,7 @@ def _dial(of: BalanceSheet, high: float) -> Leaf:
 
 
 def conditions(of: BalanceSheet) -> Iterator[Text]:
-    """From where angles count and which way; of a mirror image the other way."""
+    """From where angles count and which way; of a mirror image the other way, also where it is the same part."""
     yield Text("0 = {zero}", zero=of.found.zero_words)
     if of.turn * of.found.sense > 0:
         yield Text("angles count clockwise, seen from the front")
@@ -113,6 +115,8 @@ def conditions(of: BalanceSheet) -> Iterator[Text]:
         yield Text("angles count anticlockwise, seen from the front")
         if of.also:
             yield Text("(on {twins}, the mirror image, clockwise)", twins=of.also)
+    if of.same:
+        yield of.same
     yield _sense_words(of)
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..countershaft.twins import turned_alike
 from ..design.predicted import at_speed
 from ..draw.balancing_sheet import at_angle, balancing_sheet, down
 from ..draw.balancing_views import BalanceSheet, LineRow
@@ -15,7 +16,7 @@ from ..draw.workshop_sheet import DrawnPart, WorkshopSheet
 from ..exchange.frame import frame_of
 from ..gears.result import TrainResult
 from ..sheet.record import replace
-from ..sheet.text import COMMA, Amount, Name, Text
+from ..sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ..sheet.units import UNITS, Metre, NewtonMetre
 from ..sheet.value import recorded
 from ..solve import Results, solve
@@ -49,7 +50,8 @@ def sheets(results: Results, say: Say = str, sha256: str = "") -> dict[str, Work
 def _page(view: Results, name: str, count: str, say: Say, sha256: str) -> WorkshopSheet:
     shaft, inputs = view.shaft, view.design.countershaft
     assert shaft is not None and inputs is not None
-    title = titled(view, name) if len((view.viewed or view).design.shafts) > 1 else view.design.title("countershaft")
+    several = len((view.viewed or view).design.shafts) > 1
+    title = titled(view, name) if several else view.design.title("countershaft")
     mass = say(Text("{m} kg", m=number(shaft.mass, 2))) if shaft.mass is not None else ""
     part = DrawnPart(say(title), inputs.material, mass, count, view.design.name)
     release = release_of(view.viewed or view, sha256)
@@ -69,6 +71,7 @@ def page_of(view: Results, name: str) -> BalanceSheet:
         turn=float(frame_of(view.design).turn),
         backwards=inputs.speed_ratio < 0,
         also=_also(view, name),
+        same=_same(view, name),
         line=tuple(line_rows(view, shaft.balancing)),
     )
 
@@ -77,6 +80,19 @@ def _also(view: Results, name: str) -> Text:
     """The mirror images: they turn the other way, so that the shop counts the same angles on them the other way."""
     of = (view.viewed or view).design
     return COMMA.join(Name(shaft.name) for shaft in of.resolved if shaft.of == name and shaft.how == "mirrors")
+
+
+def _same(view: Results, name: str) -> Text:
+    """Whether the mirror images of the shaft in view, drilled, are the same part; empty where they are another one, or
+    where its shape is not known."""
+    shaft, train, also = view.shaft, (view.viewed or view).result(TrainResult), _also(view, name)
+    if not also or shaft is None or shaft.outline is None or shaft.balancing is None:
+        return EMPTY
+    if turned_alike(shaft.outline, [hole.drill.angle for hole in shaft.balancing.hole.values()]) is None:
+        return EMPTY
+    if train is not None and name in train.shafts:
+        return Text("(without its teeth {twins} is the same part)", twins=also)
+    return Text("({twins} is the same part)", twins=also)
 
 
 # --- the end of the line

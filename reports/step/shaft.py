@@ -146,17 +146,6 @@ def mirrored(shape: Outline) -> Outline:
     return replace_pieces(shape, tuple(replace(piece, angle=-piece.angle) for piece in shape.pieces))
 
 
-def turned_alike(shape: Outline, holes: Sequence[Hole] = ()) -> Radian | None:
-    """By which angle the part is to be turned about its axis to be its mirror image, 0 … 2π; None: it is another part.
-    All that is eccentric then lies in one plane through the axis."""
-    angles = [p.angle for p in shape.pieces if p.half_angle is not None and p.half_angle < HALF_TURN]
-    turns = [cmath.rect(1.0, -2 * angle) for angle in (*angles, *(hole.angle for hole in holes))]
-    if any(abs(turn - turns[0]) > SAME_ANGLE for turn in turns):
-        return None
-    turn = cmath.phase(turns[0]) % (2 * math.pi) if turns else 0.0
-    return 0.0 if 2 * math.pi - turn < SAME_ANGLE else turn
-
-
 def replace_pieces(shape: Outline, pieces: tuple[Piece, ...]) -> Outline:
     """The outline of other pieces with the same bore and densities."""
     with recorded(False):

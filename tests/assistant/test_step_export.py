@@ -57,8 +57,12 @@ def test_a_shaft_is_written_the_same_each_time(run):
 def test_each_shaft_has_a_file_and_a_twin_where_it_is_another_part(run):
     pytest.importorskip("OCP")
     code, files, said = run(pair(180.0), "--step")
-    assert code == 0 and list(files) == ["out-left.step"] and "right is the same part as left." in said
-    assert "right is the same part as left, turned by 180°." in run(pair(90.0), "--step")[2]
+    assert (
+        code == 0
+        and list(files) == ["out-left.step"]
+        and "right is the mirror image of left, which is the same part." in said
+    )
+    assert "right is the mirror image of left, which is the same part, turned by 180°." in run(pair(90.0), "--step")[2]
     assert "right is the same part as left." in run(pair(60.0, 'repeats = "left"\naxis_mm = [0.0, 90.0]'), "--step")[2]
 
 

@@ -13,6 +13,7 @@ from assistant.exports import balancing
 from assistant.exports.kinds import KINDS, Request, in_the_way
 from calc.countershaft.balancing.formulas import sense
 from calc.countershaft.balancing.inputs import LineCheck
+from calc.countershaft.twins import turned_alike
 from calc.design.toml_file import design, parse
 from calc.draw.annotations import corners
 from calc.draw.balancing_sheet import balancing_sheet
@@ -76,6 +77,7 @@ def test_what_the_operator_looks_for_stands_there(shipped, page):
     for asked in ("0 = middle of mass front", "angles count clockwise, seen from the front", "5406", "8.65", "L-0117"):
         assert asked in there
     assert "(on right, the mirror image, anticlockwise)" in there and "1: 3.4 · 2: 1.3" in there
+    assert "(without its teeth right is the same part)" in there
     assert {"Serial number", "Date", "Name", "Drag torque, 1000 rpm, oil at 40 °C"} <= {*there}
 
 
@@ -87,6 +89,16 @@ def test_a_hole_in_the_air_has_no_depths_on_the_page(shipped, page):
         for words in words_on(sheet_in(replace(page, found=replace(page.found, outside=(aside,))), shipped[1]))
     ]
     assert drawn.count("Not drilled, in the air") == drawn.count("aside") == drawn.count("outside of its sector") == 1
+
+
+@pytest.mark.parametrize("angle, same", [(180.0, True), (90.0, True), (120.0, False)])
+def test_a_mirror_image_is_the_same_part_where_all_lies_in_one_plane(page, angle, same):
+    """A sector at 120° with one at 180° has its mirror image at −120°; one alone, or two across, are turned."""
+    outline = page.outline
+    pieces = [replace(p, angle=math.radians(angle)) if p.start > 0 and p.half_angle else p for p in outline.pieces]
+    if angle == 90.0:
+        pieces = [replace(p, angle=math.radians(angle)) for p in pieces]
+    assert (turned_alike(replace(outline, pieces=tuple(pieces))) is not None) is same
 
 
 MANY = "[shafts.balancing]\nzero = 215\nring_positions_mm = [-130, 150]\n" + "".join(
