@@ -11,6 +11,7 @@ from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian
 from .annotations import LETTER, TITLE, Leaf
 from .drawing import CENTRE, CUT, DIMENSION, HIDDEN_EDGE, VISIBLE, Point, Side
+from .lettering import wrapped
 from .shaft_outline import drawn, reach
 from .sizes import Say, millimetres
 from .workshop_sheet import LEFT, Paper
@@ -62,7 +63,7 @@ class BalanceSheet:
 
 def views(page: Leaf, of: BalanceSheet, top: float, high: float, say: Say) -> None:
     """Side by side in a strip of the page; what the angles are stands under the view from the side."""
-    said = [say(line) for line in conditions(of)]
+    said = [part for line in conditions(of) for part in wrapped(say(line), LETTER, WIDE - DIAL_WIDE)]
     words = len(said) * LINE + GAP
     middle, right = top - high / 2, LEFT + DIAL_WIDE + (WIDE - DIAL_WIDE) / 2
     page.add(_dial(of, high - 4.0), LEFT + DIAL_WIDE / 2, middle)
