@@ -1,6 +1,7 @@
 """Each check of the balancing sheet just inside and just outside, and what the table refuses."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -158,12 +159,23 @@ def test_masses_whose_sectors_touch_have_a_row_each():
     assert z == pytest.approx([-41.25, -13.75, 13.75, 41.25])
 
 
-@pytest.mark.parametrize("z", [-0.075, 0.08])
-def test_a_hole_in_no_sector_breaks_out_of_the_nearest(z):
-    drilled = hole("a", z * 1e3, 0.0, 8.0, 5.0, radius=0.04)
+@pytest.mark.parametrize("z", [-75.0, 80.0])
+def test_a_hole_beyond_the_shaft_is_in_the_air(z):
+    drilled = hole("a", z, 0.0, 8.0, 5.0, radius=0.04)
     found = sheet_of(shaft(), Balancing(holes=(drilled,)), PER, outline=outlined(start=-60.0, end=60.0))
-    (each,) = found.hole.values()
-    assert least_room([each.drill])[0] == pytest.approx(0.06 - abs(z) - 0.004)
+    assert not found.hole
+    least, words, _ = least_room(found.outside)
+    assert least == pytest.approx(-0.004) and words == "Hole a is outside of the shaft, which goes from −60 to 60 mm"
+
+
+@pytest.mark.parametrize("z", [-65.0, 68.0])
+def test_a_hole_in_a_journal_breaks_out_of_the_nearest_sector(z):
+    sector = outlined(start=-60.0, end=60.0)
+    ends = [Piece(*at, 0.03, 0.0, None, 0.0, "journal") for at in ((-0.09, -0.06), (0.06, 0.09))]
+    whole = replace(sector, pieces=(ends[0], *sector.pieces, ends[1]))
+    drilled = hole("a", z, 0.0, 8.0, 5.0, radius=0.03)
+    (each,) = sheet_of(shaft(), Balancing(holes=(drilled,)), PER, outline=whole).hole.values()
+    assert least_room([each.drill])[0] == pytest.approx(0.06 - abs(z) * 1e-3 - 0.004)
 
 
 # --- bad input
