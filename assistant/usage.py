@@ -75,7 +75,9 @@ def check(it: argparse.ArgumentParser) -> None:
     quiet_option(it, "the state of each design alone")
     it.add_argument("--short", action="store_true", help="with --all or --step: leave out vectors of no length")
     it.add_argument(
-        "--fits", action="store_true", help="make the fits of the design as well, which takes some seconds each"
+        "--fits",
+        action="store_true",
+        help="make the fits of the design as well, which takes half a minute on two cores",
     )
     it.add_argument("--strict", action="store_true", help="exit 4 where nothing fails, but not all that is asked holds")
     json_option(it, "print one JSON object; of several files a list of them")

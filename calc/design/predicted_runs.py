@@ -3,7 +3,7 @@
 
 `solve` stands above this room and is handed in; `Solved` is what it gives (`Results`)."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
@@ -25,6 +25,7 @@ from .predicted import at_speed
 
 Solved = Any
 Solve = Callable[..., Solved]
+PLUS = Text(" + ")
 
 
 @record
@@ -143,8 +144,14 @@ def targets(design: Design, solved: Solved, runs: Sequence[str] = ()) -> list[Ta
     return found
 
 
-def sum_label(sources: Iterable[Source]) -> Text:
-    return Text("{n}", n=Text(" + ").join(Name(source.id) for source in sources))
+def sum_label(sources: Sequence[Source]) -> Text:
+    """Of what a sum is: `Oil flow, front + rear`, where the ids differ in one part alone; else all labels."""
+    ids = [source.id.split(".") for source in sources]
+    if len({len(id) for id in ids}) == 1 and len({str(source.label) for source in sources}) == 1:
+        unlike = [parts for parts in zip(*ids) if len({*parts}) > 1]
+        if len(unlike) == 1:
+            return Text("{label}, {parts}", label=sources[0].label, parts=PLUS.join(map(Name, unlike[0])))
+    return PLUS.join(source.label for source in sources)
 
 
 def changed_design(design: Design, changes: Mapping[str, float | None]) -> Design:

@@ -33,6 +33,7 @@ class ColumnResult:
     predicted: Array
     found: Residuals
     step: str  # the key of the step that it is of
+    title: Text  # of that step
     accepted: str = ""
 
     @property
@@ -87,8 +88,11 @@ class ColumnResult:
             return Text("Nothing is predicted at any node of {column}.", column=Name(self.target.column))
         words = [
             Text(
-                "{column} {verdict}: predicted less measured is {bias} in the mean, {rms} rms, over {nodes}.",
+                "{column} ({step}: {label}) {verdict}: predicted less measured is {bias} in the mean, {rms} rms, "
+                "over {nodes}.",
                 column=Name(self.target.column),
+                step=self.title,
+                label=self.target.label,
                 verdict=found.words,
                 bias=Amount(found.bias or 0.0, unit, form="+.3g"),
                 rms=Amount(found.rms or 0.0, unit, form=".3g"),
@@ -163,9 +167,10 @@ class ColumnResult:
         return Curve(
             self.id,
             Text(
-                "{run}: {column}, measured (points) on what is predicted (line)",
+                "{run}: {column}, {label}, measured (points) on what is predicted (line)",
                 run=Name(self.target.run),
                 column=Name(self.target.column),
+                label=self.target.label,
             ),
             axis_label("Crank speed", "rpm"),
             Text("{label}, {unit}", label=self.target.label, unit=self.target.unit)
@@ -213,7 +218,7 @@ class ColumnResult:
         columns += [(Text("Measured"), unit), (Text("Uncertainty"), self.unit)]
         if target.common is not None:
             columns.append((Text("Common"), self.unit))
-        columns += [(Text("Predicted"), unit), (Text("Predicted less measured"), self.unit), (Text("Over σ"), "")]
+        columns += [(Text("Predicted"), unit), (Text("Predicted less measured"), self.unit), (Text("Residual"), "σ")]
         rows = []
         for i in np.flatnonzero(np.isfinite(target.y)).tolist():
             sigma = None if target.sigma is None else _number(target.sigma[i])
@@ -225,7 +230,8 @@ class ColumnResult:
                 row.append(_number(target.common[i]))
             row += [_number(self.predicted[i]), r, r / sigma if r is not None and sigma else None]
             rows.append(tuple(row))
-        title = Text("{run}: {label}", run=Name(target.run), label=target.label)
+        named = dict(run=Name(target.run), column=Name(target.column), label=target.label)
+        title = Text("{run}: {column}, {label}", **named)
         return Table(f"{self.id}.nodes", title, tuple(columns), tuple(rows), self.sentence)
 
 
@@ -280,7 +286,7 @@ def run_results(design: Design, solved: Solved, solve: Solve) -> RunResults:
         column = target.nodes.columns[target.column]
         compared = residuals(predicted, column, target.y, target.sigma, target.common)
         step = design.step_of(target.value[0])
-        found.append(ColumnResult(target, predicted, compared, step, reasons.get(target.id, "")))
+        found.append(ColumnResult(target, predicted, compared, step, design.title(step), reasons.get(target.id, "")))
     return RunResults(design, tuple(found))
 
 

@@ -19,13 +19,14 @@ Changes = Mapping[str, float | None]  # keys with numbers in their units; None t
 class DesignFit:
     """A fit of a design and what it came to.
 
-    `names`: of the free inputs, in the order of the fit; `replaced`: keys that a free one takes the place of; `runs`:
-    the names of the runs; `rows`: how many of each column are fitted, `unit`: that of the rows, where all have one;
-    `left_out`: what of them is not, and why."""
+    `names`: of the free inputs, in the order of the fit; `now`: what the design has of each; `replaced`: keys that a
+    free one takes the place of; `runs`: the names of the runs; `rows`: how many of each column are fitted, `unit`: that
+    of the rows, where all have one; `left_out`: what of them is not, and why."""
 
     name: str
     runs: tuple[str, ...]
     names: tuple[FreeName, ...]
+    now: tuple[float | None, ...]
     replaced: tuple[str, ...]
     rows: Mapping[str, int]
     unit: str

@@ -93,12 +93,15 @@ class _Fitting:
         """Where the search begins: as given, else what the design has, else in the middle."""
         if row.start is not None:
             return row.start
+        there = self._now(row)
+        return there if there is not None and row.low <= there <= row.high else (row.low + row.high) / 2
+
+    def _now(self, row: FreeInput) -> float | None:
+        """What the design has, given or computed."""
         there = value_at(self.document.data, row.key)
         if there is None and (chosen := published(self.results, row.key)) is not None:
             there = chosen.shown
-        if isinstance(there, (int, float)) and row.low <= there <= row.high:
-            return float(there)
-        return (row.low + row.high) / 2
+        return float(there) if isinstance(there, (int, float)) else None
 
     def solved(self, progress: Progress | None) -> DesignFit:
         self._demand_designs()
@@ -121,6 +124,7 @@ class _Fitting:
             self.fit.name,
             self.runs,
             self.names,
+            tuple(map(self._now, self.fit.free)),
             self.replaced,
             {target.id: int(some.sum()) for target, some in zip(wanted, rows)},
             wanted[0].unit if len({target.unit for target in wanted}) == 1 else "",

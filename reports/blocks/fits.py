@@ -19,6 +19,7 @@ from .values import table_blocks
 
 COLUMNS = (
     (Text("Input"), ""),
+    (Text("The design has"), ""),
     (Text("Value"), ""),
     (Text("Standard deviation"), ""),
     (Text("95 %, from"), ""),
@@ -49,7 +50,7 @@ def fit_blocks(context: Context, design: Design, made: Mapping[str, DesignFit | 
 
 def _unmade(runs: list[str], inputs: int) -> Text:
     return Text(
-        "{what} to be found from {runs}: `contralbero fit` and the audit report do so.",
+        "{what} to be found from {runs}: the command contralbero fit and the audit report do so.",
         what=plural("{n} input is", "{n} inputs are", n=inputs),
         runs=COMMA.join(map(Name, runs)),
     )
@@ -58,11 +59,11 @@ def _unmade(runs: list[str], inputs: int) -> Text:
 def _table(fit: DesignFit) -> Table:
     rows: list[tuple[str | float | None, ...]] = []
     for i, name in enumerate(fit.names):
-        value, (low, high) = fit.applied(i), map(float, fit.result.limits[i])
+        now, value, (low, high) = fit.now[i], fit.applied(i), map(float, fit.result.limits[i])
         if i in fit.result.at_bound:
-            rows.append((name.label, value, None, None, None, Name(name.unit)))
+            rows.append((name.label, now, value, None, None, None, Name(name.unit)))
         else:
-            rows.append((name.label, value, float(fit.result.sd[i]), low, high, Name(name.unit)))
+            rows.append((name.label, now, value, float(fit.result.sd[i]), low, high, Name(name.unit)))
     return Table(fit.id, Text("Fit {name}: {verdict}", name=Name(fit.name), verdict=fit.verdict), COLUMNS, tuple(rows))
 
 

@@ -40,6 +40,7 @@ BODY, FORCE, LEAST = (14.0, 24.0, 9.0)
 BETWEEN = 2.0  # from the shaft to an arrow
 SHADE = (0.85, 0.85, 0.85)
 AXIS = (8.0, 2.0, 1.5, 2.0)
+BESIDE = 0.03  # of the width: room at either end of what was measured
 SKETCH = 2 * (BODY + BETWEEN + FORCE) + 4.0
 
 
@@ -58,6 +59,9 @@ class Stack:
         self.ends = (float(xs.min()), float(xs.max())) if xs.size else (0.0, 1.0)
         if self.ends[0] == self.ends[1]:  # one speed
             self.ends = (0.9 * self.ends[0], 1.1 * self.ends[1])
+        elif any(curve.measured is not None for curve in curves):  # points stand inside the frame
+            room = BESIDE * (self.ends[1] - self.ends[0])
+            self.ends = (self.ends[0] - room, self.ends[1] + room)
         self.under = len(self.caption) * STRONG.leading
         self.height = sum(map(_height, curves)) + LOW + self.under
         looks = [Look(at_the_point, ends=self.ends, lowest=curve is curves[-1]) for curve in curves]

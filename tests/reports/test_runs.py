@@ -8,9 +8,12 @@ import pytest
 from pypdf import PdfReader
 
 from calc.design.toml_file import design, read
+from calc.locale.language import language
 from calc.solve import solve
 from calc.studies.shipped import DESIGNS
 from reports import comparison
+from reports.figures.figures import Stack
+from reports.figures.plots import Plots
 from reports.report import render
 from reports.verify.verify import Verdict, verify
 from tests.engine_run import R_ROW, engine_run, fits
@@ -49,13 +52,27 @@ def test_the_chapter_and_the_rows_inside(sides):
     pdf = render(document, results, document.raw)
     reader = PdfReader(io.BytesIO(pdf))
     text = "\n".join(page.extract_text() for page in reader.pages)
-    assert "Measured" in text and "P agrees: predicted less measured is +3.08" in text
-    assert "F not verified" in text and results.design.runs[0].sha256 in text.replace("\n", "")
+    assert (
+        "Measured" in text
+        and "P (Imbalance: " in text
+        and ") agrees: predicted less measured is +3.08" in text.replace("\n", " ")
+    )
+    assert "F (Imbalance: Couple turning backward) not verified" in text.replace("\n", " ") and results.design.runs[
+        0
+    ].sha256 in text.replace("\n", "")
     inside = {name: files[0] for name, files in reader.attachments.items()}
     assert inside["run-1.csv"].splitlines()[1:] == [b'"n","P"', b"1300.0,150.0", b"2600.0,560.0"]
     assert b"secret" not in inside["run-1.csv"] + inside["run-2.csv"]
     Path(document.place).with_name("run.csv").unlink()
     assert verify(pdf, "report.pdf").verdict is Verdict.IDENTICAL
+
+
+def test_points_of_a_run_stand_inside_the_frame(sides):
+    runs = sides[0][1].runs
+    assert runs is not None
+    column = runs.columns[0]
+    stack = Stack("1", [column.curve, column.strip], "Figure", Plots(language("en")))
+    assert stack.ends[0] < 1300 and stack.ends[1] > 2600
 
 
 def test_two_designs_on_the_runs_of_both(sides):
@@ -79,4 +96,6 @@ def test_the_audit_report_makes_the_fits_and_a_shorter_one_says_that_they_are_th
 
     audit = words("audit")
     assert "Fit engine: identified" in audit and "crank radius" in audit and "Standard deviation" in audit
-    assert "1 input is to be found from mean-piston-speed" in words("engineer")
+    assert "The design has" in audit
+    engineer = words("engineer")
+    assert "1 input is to be found from mean-piston-speed" in engineer and "`" not in engineer

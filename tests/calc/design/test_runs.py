@@ -113,6 +113,16 @@ def test_a_sum_of_values_and_a_unit_of_the_bench():
     assert column.predicted[1] == pytest.approx(together, rel=1e-6)
 
 
+def test_a_sum_is_called_in_words():
+    two = {**P, "value": [LOSS, "imbalance.order_1.couple_forward"]}
+    (column,) = solved({**RUN, "columns": [two]}).runs.columns
+    assert str(column.target.label) == "Couple turning backward + Couple turning forward"
+    assert "P (Imbalance: Couple turning backward + Couple turning forward) " in str(column.sentence)
+    alike = {**P, "value": [LOSS, LOSS.replace("order_1", "order_2")]}
+    (column,) = solved({**RUN, "columns": [alike]}).runs.columns
+    assert str(column.target.label) == "Couple turning backward, order_1 + order_2"
+
+
 def test_a_node_is_the_design_at_that_speed():
     """The clearances as made, the oil of the bench run, at the rated speed too; what finds no solution is counted."""
     flow = {"name": "Q", "column": "P", "value": "bearings.front.oil_flow"}
