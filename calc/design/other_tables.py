@@ -283,4 +283,4 @@ class Measured:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.unit not in UNITS:
-            yield dotted(Measured.unit), Text('"{unit}" is no unit that values are shown in', unit=self.unit)
+            yield dotted(Measured.unit), Text("is no unit that values are shown in")

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..measurements.inputs import MeasuredColumn, Measurement
 from ..measurements.nodes import Nodes, nodes_of
-from ..measurements.units import conversion
+from ..measurements.units import conversion, listed
 from ..mounting.at_speeds import MEASURED, AtMeasuredSpeed, unit_of
 from ..sheet.arrays import Array
 from ..sheet.inputs_at import content_at, with_content
@@ -102,10 +102,12 @@ def value_problems(design: Design, solved: Solved) -> Iterator[tuple[str, Text]]
             given = rows.columns[name].unit if rows is not None else None
             if given is not None and conversion(given, sources[0].unit) is None:
                 other = Text(
-                    "{given} is of another dimension than the value, which is in {unit}",
-                    given=given or "1",
+                    "is of another dimension than the value, which is in {unit}; give one of {units}",
                     unit=sources[0].unit or "1",
+                    units=listed(sources[0].unit),
                 )
+                if column.unit is None:  # the file says it, and nothing stands before the reason
+                    other = Text("{given} {is_}", given=given or "1", is_=other)
                 yield dotted(here, MeasuredColumn.unit), other
 
 

@@ -109,7 +109,7 @@ def _read(path: str, ending: str, changed: int, size: int) -> RunFile:
 
 
 def _not_read(error: OSError, folder: Path) -> Text:
-    where = str(folder)
+    where = str(folder) if folder.name else folder.resolve().name or str(folder.resolve())  # "." says nothing
     if error.errno == errno.ENOENT:
         return Text("is not there; it is looked for in {folder}", folder=where)
     return Text("cannot be read in {folder}: {why}", folder=where, why=error.strerror or str(error))

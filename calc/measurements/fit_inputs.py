@@ -76,7 +76,7 @@ def fit_problems(fit: FitInputs, runs: Sequence[Measurement], tables: Tables) ->
         yield dotted(FitInputs.of), Text("there is no run to fit to: add [[measurements]]")
     for i, name in enumerate(fit.of or ()):
         if known and name not in known:
-            yield dotted(FitInputs.of, i), Text('"{name}" is no run of this design', name=name) + _meant(name, known)
+            yield dotted(FitInputs.of, i), Text("is no run of this design") + _meant(name, known)
     of = [run for run in runs if fit.of is None or run.name in fit.of]
     set_by = {condition.key: run.name for run in of for condition in run.conditions}
     for i, row in enumerate(fit.free):

@@ -14,7 +14,7 @@ from pathlib import PurePosixPath
 
 from ..sheet.quantity import dotted, flag, inputs, names, quantity, tables, text
 from ..sheet.text import Text
-from .units import alike, known
+from .units import alike, known, listed
 
 ENDINGS = ("csv", "txt", "parquet", "tdms")
 BYTES, ROWS, NODES = 20_000_000, 20_000, 60  # at most, of a file and of a run
@@ -73,8 +73,8 @@ class MeasuredColumn:
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.unit is not None and not known(self.unit):
             near = alike(self.unit)
-            meant = Text('; did you mean "{near}"?', near=near) if near else Text("")
-            yield dotted(MeasuredColumn.unit), Text('"{unit}" is no unit that is known here', unit=self.unit) + meant
+            there = Text('; did you mean "{near}"? Of that kind are known {units}', near=near, units=listed(near))
+            yield dotted(MeasuredColumn.unit), Text("is no unit that is known here") + (there if near else Text(""))
         shared = (self.uncertainty_common_, self.uncertainty_common, self.uncertainty_common_column)
         own = (self.uncertainty_, self.uncertainty, self.uncertainty_column)
         if any(each is not None for each in shared) and all(each is None for each in own):

@@ -85,6 +85,17 @@ def alike(unit: str) -> str:
     return next(iter(get_close_matches(canonical(unit), [*UNITS, *FURTHER], 1)), "")
 
 
+def of_dimension(unit: str) -> list[str]:
+    """The units that this one can be converted to, itself too; none of one that is not known."""
+    symbols = {meaning.symbol for meaning in _meanings(unit)}
+    return [each for each in (*UNITS, *FURTHER) if any(meaning.symbol in symbols for meaning in _meanings(each))]
+
+
+def listed(unit: str) -> str:
+    """The units of the same dimension in words."""
+    return ", ".join(each or "1" for each in of_dimension(unit))
+
+
 def _meanings(unit: str) -> tuple[BenchUnit, ...]:
     unit = canonical(unit)
     if unit in FURTHER:

@@ -4,6 +4,7 @@
 import hashlib
 import os
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -207,7 +208,7 @@ def errors(*runs, **changes):
 @pytest.mark.parametrize(
     "changes, key, words",
     [
-        ({"file": "gone.csv"}, "measurements.0.file", "is not there; it is looked for in ."),
+        ({"file": "gone.csv"}, "measurements.0.file", f"is not there; it is looked for in {Path.cwd().name}"),
         ({"file": "../run.csv"}, "measurements.0.file", "must not lead out by .."),
         ({"file": "/etc/passwd.csv"}, "measurements.0.file", "beside the design"),
         ({"file": "run.uff"}, "measurements.0.file", "has the ending .uff, which is not read; export it as CSV"),
@@ -217,7 +218,8 @@ def errors(*runs, **changes):
         ({"columns": [{**P, "column": "PP"}]}, "measurements.0.columns.0.column", 'did you mean "P"?'),
         ({"columns": [{**P, "uncertainty": -1}]}, "measurements.0.columns.0.uncertainty", "0 or more"),
         ({"columns": [{**P, "unit": "Newton"}]}, "measurements.0.columns.0.unit", "no unit that is known"),
-        ({"columns": [{**P, "unit": "kW"}]}, "measurements.0.columns.0.unit", "of another dimension"),
+        ({"columns": [{**P, "unit": "kW"}]}, "measurements.0.columns.0.unit", "which is in N·m; give one of "),
+        ({"columns": [{**P, "unit": "gal/min"}]}, "measurements.0.columns.0.unit", "known L/min, cm³/s"),
         (
             {"columns": [{**P, "value": "imbalance.order_1.couple_backwards"}]},
             "measurements.0.columns.0.value",
@@ -254,6 +256,16 @@ def errors(*runs, **changes):
 )
 def test_what_is_wrong_with_a_run_is_named(changes, key, words):
     assert words in errors({**RUN, **changes})[key]
+
+
+def test_what_was_found_stands_once():
+    said = errors({**RUN, "columns": [{**P, "unit": "gal/min"}, {**P, "name": "Q", "unit": "kW"}]})
+    assert len(said) == 1 and not any("gal" in reason for reason in said.values())
+    fit = {"name": "f", "of": ["rum"], "free": [{"key": "engine.bore_mm", "low": 50, "high": 100}]}
+    assert errors(RUN, fits=[fit])["fits.0.of.0"] == 'is no run of this design; did you mean "run"?'
+    bare = {key: value for key, value in P.items() if key != "unit"}
+    of_file = errors({**RUN, "columns": [bare]}, files={"run.csv": b"n;P\nrpm;kW\n1300;150\n"})
+    assert of_file["measurements.0.columns.0.unit"].startswith("kW is of another dimension")
 
 
 def test_what_stands_in_a_file_does_not_reach_the_terminal_as_it_is():
