@@ -405,8 +405,13 @@ def print_findings(results: Results, step: str | None = None, everything: bool =
     findings = [*finding_lines(checks, everything, odd), *lost_acceptances(results, step)]
     for line in [*findings, ""] if findings else []:
         print(line)
-    for key, outcome in shown.items():
-        if key in OPTIONAL and outcome.state == "not_asked":
+    print_steps(results, step)
+
+
+def print_steps(results: Results, step: str | None = None) -> None:
+    """The verdict of each step with the values that stand for it."""
+    for key, outcome in results.outcomes.items():
+        if step not in (None, key) or (key in OPTIONAL and outcome.state == "not_asked"):
             continue
         words = str(outcome.reason) or " · ".join(
             f"{head.id} {short(head.shown)} {head.unit}".rstrip().replace(" ", UNBROKEN)

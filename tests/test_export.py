@@ -14,6 +14,8 @@ from tests.conftest import DESIGNS, GAMMA
 ALPHA = DESIGNS / "r753ie4_alpha.toml"  # of few values
 PAIR = DESIGNS / "timing_pair.toml"  # of gears alone
 
+STEPS = ["Engine", "Imbalance", "Counter-shaft", "Bearings", "Gears", "Friction"]
+
 PLAIN = """schema = 1
 name = "a shaft alone"
 [engine]
@@ -79,9 +81,16 @@ def test_json_is_the_object_of_check(capsys, tmp_path):
     out = tmp_path / "gamma.json"
     code, said, errors = run(capsys, "export", ALPHA, "--json", "-o", out)
     assert code == 0 and errors == "" and said.rstrip().endswith(str(out))
-    assert "Friction" in said and "WARN" in said  # the summary of the verdicts
+    assert "Friction" in said and "WARN" in said  # the verdict of each step
     _, shown, _ = run(capsys, "check", ALPHA, "--json")
     assert json.loads(out.read_text(encoding="utf-8")) == json.loads(shown)
+
+
+def test_the_findings_are_not_printed_but_the_verdict_of_each_step(capsys, tmp_path):
+    code, said, _ = run(capsys, "export", GAMMA, "--loads", "--speeds", "2600:2600:1", "-o", tmp_path / "loads.csv")
+    state, *steps, empty, rows, written = said.splitlines()
+    assert code == 0 and state.startswith("FAIL") and not empty and "sums close" in rows and "loads.csv" in written
+    assert [line.split()[0] for line in steps] == STEPS and "needs" not in said
 
 
 def test_csv_has_a_row_for_each_value(capsys, tmp_path):

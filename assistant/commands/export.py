@@ -6,7 +6,7 @@ from pathlib import Path
 
 from assistant.exports.kinds import KINDS, FileKind, Request, exported, kind_of
 from assistant.named_files import STANDARD, put, read_design, spoken
-from assistant.results_text import print_summary
+from assistant.results_text import print_steps
 from assistant.session.saving import spare
 from calc.design.toml_file import design
 from calc.sheet.errors import BadInput, InputError
@@ -39,7 +39,8 @@ def run_export(asked: Namespace) -> int:
         put(STANDARD if to_standard else str(file), content, [asked.file])
     with spoken(asked.output):
         if not asked.quiet:
-            print_summary(results)
+            print(results.words())
+            print_steps(results)
             print()
             for said in made.said:
                 print(said)
