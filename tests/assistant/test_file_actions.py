@@ -191,8 +191,9 @@ async def test_where_there_is_nothing_to_draw_it_says_what_to_add(
     async with screen(size=(80, 24)) as pilot:
         await pilot.press("escape", "E")
         await give(pilot, tmp_path / "out.dxf")
-        await until(pilot, lambda: "can not be written" in told(pilot))
-        assert "add [[shafts]]" in told(pilot) and not (tmp_path / "out.dxf").exists()
+        wrong = str(pilot.app.screen.query_one("#wrong").render())
+        assert "add [[shafts]]" in wrong and not (tmp_path / "out.dxf").exists()
+        await strike(pilot, "escape")
         await go_to(pilot, BORE)
         await type_in(pilot, "0")
         await pilot.press("enter", "escape", "E")
@@ -387,17 +388,16 @@ async def test_theme_and_guide_are_kept(small: Session, memory: Memory) -> None:
     app = ContralberoApp(small)
     async with app.run_test(size=(80, 24)) as pilot:
         await solved(pilot)
-        assert app.guiding and app.say.code == "en" and not (memory.folder / "settings.toml").exists()
+        assert not app.guiding and app.say.code == "en" and not (memory.folder / "settings.toml").exists()
         await pilot.press("escape", "G")
         app.theme = "nord"
         await until(pilot, lambda: memory.settings().theme == "nord")
-    assert memory.settings() == Settings("en", "nord", False)
+    assert memory.settings() == Settings("en", "nord", True)
     memory.set_setting("language", "it")
     app = ContralberoApp(Session.open(small.home, memory=memory), settings=memory.settings())
     async with app.run_test(size=(120, 40)) as pilot:
         await solved(pilot)
-        assert app.theme == "nord" and not app.guiding and app.say.code == "it"
-        assert "Decide:" not in rows(pilot)
+        assert app.theme == "nord" and app.guiding and app.say.code == "it"
 
 
 async def test_a_theme_that_there_is_not_is_left_alone(small: Session) -> None:

@@ -50,6 +50,7 @@ def _renamed(data: Any, names: dict[str, str]) -> Any:
 
 def with_names(file: Path, words: tuple[str, ...]) -> Results:
     data = tomllib.loads(file.read_text(encoding="utf-8"))
+    data = {key: x for key, x in data.items() if key not in ("measurements", "fits")}  # whose keys have names in them
     names = dict(zip(dict.fromkeys(named(data)), words))
     assert len(names) <= len(words)
     return solve(design(parse(tomli_w.dumps(_renamed(data, names)).encode(), file.name)))
