@@ -202,6 +202,8 @@ def _run(lines, folder):
             continue
         if not arguments or arguments[0].startswith("-") or arguments[0] in NEVER:
             continue
+        if arguments[:1] == ["new"] and arguments[1:]:  # which leaves alone what is there
+            (folder / arguments[1]).unlink(missing_ok=True)
         done = run(*arguments, cwd=folder)
         assert done.returncode in (0, 1, 3), f"{line}: {done.stderr}"
         printed = iter(done.stdout.splitlines() + done.stderr.splitlines())
