@@ -133,6 +133,8 @@ def paginate(blocks: Iterable[Block], height: float = HEIGHT, share: float = 1.0
 
     def fits(chain: list[Block]) -> bool:
         page, first = pages[-1], chain[0]
+        if all(not block.height and block.page is None for block in chain):
+            return True  # takes no room, not even on a page that another block fills by itself
         left = height - page.filled
         alone = page.size is not None or first.page is not None
         return not page.blocks or not (

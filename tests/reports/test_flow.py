@@ -64,3 +64,9 @@ def test_gaps_are_closed_where_that_saves_a_page_with_little_on_it() -> None:
     assert [len(paginate(blocks)) for blocks in (saved, sparse)] == [6, 6] and len(composed(saved)) == len(
         composed(sparse)
     ) == 5
+
+
+def test_what_takes_no_room_opens_no_page_between_two_sheets() -> None:
+    sheet = [block(name, 0.0, page=(500.0, 700.0)) for name in ("one", "two")]
+    pages = paginate([block("text", 10.0), block("head", 0.0), sheet[0], block("head", 0.0), sheet[1]], 100.0)
+    assert names(pages) == [["text", "head"], ["one", "head"], ["two"]]
