@@ -395,7 +395,7 @@ class ExportDialog(TargetDialog):
     chooses its row."""
 
     TITLE_TEXT = Text("Export")
-    HINT = Text("Enter writes it, ↓ goes to the list, Esc goes back. An ending that is typed chooses too.")
+    HINT = Text("Enter writes it, ↓ goes to the list, Esc goes back.")
 
     def __init__(self, session: Session, offered: Sequence[FileRow], chosen: FileRow) -> None:
         self.stem, self.offered_rows, self.chosen = session.home.stem, offered, chosen
