@@ -37,7 +37,7 @@ def of(z, x, beta, tool, m_n=1.0, b=4.0, hand=None, **more):
 
 
 def test_the_given_wheel():
-    """Volume and inertia of the exchange specification, by a rack generation of its own."""
+    """Given volume and inertia, by a rack generation of their own."""
     made = wheel_solid(*of(25, 0.014229850303051, 21.916, (1.41, 0.2), m_n=2.0, b=15.0), "a", RHO, Frame())
     assert made.whole.volume == pytest.approx(33703.99256659126, rel=2e-6)
     assert made.whole.tensor[2, 2] == pytest.approx(96.70699879870187, rel=4e-6)

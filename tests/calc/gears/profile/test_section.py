@@ -8,6 +8,7 @@ import pytest
 from calc.gears.profile.cut import Cut
 from calc.gears.profile.outline import repeated, shifts, tooth
 from calc.gears.profile.section import section
+from calc.gears.wheel import wheel_mass
 from calc.sheet.record import replace
 from tests.calc.gears.trains import mesh, solved, train, wheel
 
@@ -35,10 +36,13 @@ def enclosed(line):
 
 
 def test_volume_and_inertia_are_the_given_ones():
-    """Values of the exchange specification, by a rack generation of its own: a polyline of 40 000 points a flank."""
-    curves = section(*cut_wheel(25, 0.014229850303051, 21.916, (1.41, 0.2), m_n=2.0))
+    """Given values, by a rack generation of their own: a polyline of 40 000 points a flank."""
+    system, cut = cut_wheel(25, 0.014229850303051, 21.916, (1.41, 0.2), m_n=2.0)
+    curves = section(system, cut)
     assert curves.area * 0.015 * 1e9 == pytest.approx(33703.99256659126, rel=1e-10)
     assert 7859.999999999999 * 0.015 * curves.polar_moment * 1e6 == pytest.approx(96.70699879870187, rel=1e-10)
+    blank = wheel_mass(rho=7859.999999999999, b=0.015, d=cut.reference_diameter, d_i=0.0)
+    assert blank == pytest.approx(0.26896673145461364, rel=1e-9)
 
 
 @pytest.mark.parametrize("case", WHEELS)
