@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import Any
 
+from ..sheet.extras import needs
 from ..sheet.quantity import LARGEST, SMALLEST
 from ..sheet.record import record
 from ..sheet.text import Text
@@ -194,8 +195,7 @@ def _demand(extra: str, *modules: str) -> list[Any]:
     try:
         return [import_module(module) for module in modules]
     except ImportError:
-        needs = Text("needs the extra `{extra}`: pip install 'contralbero[{extra}]'", extra=extra)
-        raise Unread(needs) from None
+        raise Unread(needs(extra)) from None
 
 
 def _parquet(raw: bytes, digest: str) -> RunFile:
