@@ -20,7 +20,7 @@ from ..countershaft.inputs import ShaftInputs
 from ..countershaft.rows import BearingRow
 from ..gears.inputs import GearsInputs
 from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError
-from ..sheet.quantity import Quantity, dotted, keys, unknown
+from ..sheet.quantity import COMMA, Quantity, dotted, keys, unknown
 from ..sheet.record import record, replace
 from ..sheet.text import EMPTY, Text
 from ..sheet.toml_scan import Beyond, key_lines, remarks
@@ -63,7 +63,6 @@ from .upgrade import (
 T = TypeVar("T")
 REMARKS = Text("The design file says: {remarks}.")
 ROW_OWN = tuple(dotted(key) for key in (BearingRow.name, BearingRow.position, BearingRow.slope))
-SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
 
 
 @record
@@ -245,7 +244,6 @@ def current_document(document: Document) -> Document:
 
 
 DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}")
-COMMA = re.compile(r"-?\d+,\d+")  # a decimal comma, which TOML does not know
 
 # What stands for a wrong or missing value while the rest of the document is checked: no comparison with it holds.
 PLACEHOLDER: Table = {
@@ -383,22 +381,10 @@ class _Reader:
         return self.refused(about, value, key)
 
     def number(self, about: Quantity, value: object, key: str) -> object:
-        whole = about.kind in ("integer", "integers")
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and isinstance(value, float)):
-            point = EMPTY
-            if isinstance(value, str) and COMMA.fullmatch(value):
-                point = Text("; write {value}", value=value.replace(",", "."))
-            reason = Text("must be {allowed}{point}", allowed=about.allowed(), point=point)
-        elif abs(value) > 1e300 or value != value:
-            reason = Text("must be {allowed}, and finite", allowed=about.allowed())
-        elif value and not SMALLEST <= abs(value) <= LARGEST:
-            reason = Text("must be {allowed}, and 0 or of a size from 1e-30 to 1e30", allowed=about.allowed())
-        elif not about.allows(value):
-            why = Text("; {negative}", negative=about.negative) if about.negative and value < 0 else EMPTY
-            reason = Text("must be {allowed}{why}", allowed=about.allowed(), why=why)
-        else:
-            return value if whole else about.units.inside(float(value))
-        return self.error(key, value, reason, "number")
+        if (reason := about.refuses(value)) is not None:
+            return self.error(key, value, reason, "number")
+        assert isinstance(value, (int, float))
+        return value if about.kind in ("integer", "integers") else about.units.inside(float(value))
 
     def series(self, about: Quantity, value: object, key: str) -> object:
         items = as_list(value)
