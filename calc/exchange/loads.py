@@ -28,7 +28,7 @@ from .engine_loads import HALF, about_origin, engine_rows, mount_rows, variant_o
 from .frame import Frame, frame_of
 from .load_rows import Book, LoadRow
 from .mesh_loads import MeshForce, mesh_rows, meshes, orders_of
-from .planes import wheel_planes
+from .places import known_planes, shaft_axes
 from .shaft_loads import ShaftAtSpeed
 from .shaft_rows import ShaftRows
 
@@ -140,6 +140,7 @@ class _AtSpeeds:
         return ShaftRows(self.book, speed, shaft, len(h.turning(self.design)) > 1, up)
 
     def _shafts_at(self, other: Results, speed: RevPerSecond) -> Iterator[ShaftAtSpeed]:
+        axes = shaft_axes(other)
         for shaft in h.turning(self.design):
             own, original = (other.of_shafts.get(name, {}) for name in (shaft.name, shaft.of or shaft.name))
             result = original["countershaft"].result if "countershaft" in original else None
@@ -159,15 +160,7 @@ class _AtSpeeds:
                     )
             elif shaft.how == "mirrors" and "bearings" in own:
                 found = turned_over(found)
-            yield ShaftAtSpeed(shaft, result, found, self._axis(shaft.name, h.axis_of(shaft.inputs), other))
-
-    def _axis(self, name: str, given: complex | None, other: Results) -> complex | None:
-        """Given, or where the layout of the train has its wheel."""
-        train = other.train
-        if given is not None or train is None or train.layout is None or name not in train.shafts:
-            return given
-        wheel = train.layout.wheels.get(train.shafts[name].wheel)
-        return wheel.position if wheel is not None else None
+            yield ShaftAtSpeed(shaft, result, found, axes.get(shaft.name))
 
     def _teeth(self, other: Results, speed: RevPerSecond) -> dict[str, MeshForce | None]:
         gears, train = self.design.gears, other.train
@@ -189,12 +182,7 @@ class _AtSpeeds:
     @cached_property
     def _planes(self) -> dict[str, Metre]:
         """Where the wheels stand along the engine."""
-        train, on_shafts = self.results.train, dict[str, Metre]()
-        for name, turn in train.shafts.items() if train is not None else ():
-            outcome = self.of_shafts.get(name)
-            if outcome is not None and outcome.solution.wheel is not None:
-                on_shafts[turn.wheel] = float(outcome.solution.wheel)
-        planes = wheel_planes(self.design, train, on_shafts) if train is not None else {}
+        planes = known_planes(self.results)
         if not planes:
             self.book.notes["plane"] = Text("where the gears stand along the engine is not known: Z of their rows is 0")
         return planes

@@ -15,7 +15,6 @@ from ..sheet.units import Metre, Radian
 from ..sheet.value import recorded
 from ..solve import Results
 from .frame import frame_of
-from .planes import wheel_planes
 
 HANDS = {"right": 1, "left": -1, "": 0}  # of a helix, by how it turns about +Z along it
 
@@ -48,12 +47,13 @@ def wheel_places(results: Results) -> dict[str, WheelPlace]:
         return {}
     axes = {name: wheel.position for name, wheel in train.layout.wheels.items() if wheel.position is not None}
     planes, teeth, hands = planes_of(results), _teeth(train, gears, axes), gears.hands()
+    turn = frame_of(results.design).turn
     first = planes.get(train.tree.first, next(iter(planes.values()), 0.0))
     places = {}
     for name, axis in axes.items():
         # the layout has the teeth of all wheels in one plane: a helix whose wheel stands in another is further on there
         turned = HANDS[hands.get(name, "")] * helix(train, name) * (planes[name] - first)
-        places[name] = WheelPlace(axis, planes[name], teeth[name] + frame_of(results.design).turn * turned)
+        places[name] = WheelPlace(axis, planes[name], teeth[name] + turn * turned)
     return places
 
 
@@ -80,12 +80,25 @@ def _teeth(train: TrainResult, gears: GearsInputs, axes: Mapping[str, complex]) 
 
 def planes_of(results: Results) -> dict[str, Metre]:
     """Where along the crank the middle of each wheel stands; at mid-engine where that is known of none."""
+    return known_planes(results) or dict.fromkeys(results.train.wheels if results.train is not None else (), 0.0)
+
+
+def known_planes(results: Results) -> dict[str, Metre]:
+    """The middle of every wheel and sprocket, from mid-engine: as given, or its shaft's, else that of a wheel in mesh
+    with it, else that of the first one that is known; empty where none is."""
     train = results.train
     if train is None:
         return {}
-    on_shafts = {}
-    for shaft in results.design.resolved:
+    z = dict[str, Metre]()
+    for shaft in h.turning(results.design):
         solved, turn = results.view(shaft.name).shaft, train.shafts.get(shaft.name)
         if turn is not None and solved is not None and solved.wheel is not None:
-            on_shafts[turn.wheel] = solved.wheel
-    return wheel_planes(results.design, train, on_shafts) or dict.fromkeys(train.wheels, 0.0)
+            z[turn.wheel] = float(solved.wheel)
+    gears = results.design.gears
+    z |= {wheel.name: float(wheel.z) for wheel in gears.wheels if wheel.z is not None} if gears is not None else {}
+    pairs = [(mesh.driver, mesh.driven) for mesh in train.meshes.values()]
+    for pair in pairs * len(pairs):
+        for a, b in (pair, pair[::-1]):
+            if a in z:
+                z.setdefault(b, z[a])
+    return {name: z.get(name, next(iter(z.values()))) for name in (*train.wheels, *z)} if z else {}

@@ -17,7 +17,7 @@ from ..sheet.text import Text
 from ..sheet.units import Metre
 from ..solve import Results
 from .frame import frame_of
-from .planes import wheel_planes
+from .places import known_planes
 from .rexs_file import Component, Place, RexsModel, pose
 
 IN_A_ROW = Text(
@@ -97,15 +97,8 @@ class GearUnit:
 
     def _middles(self) -> Mapping[str, Metre]:
         """Of each wheel and sprocket."""
-        if self.train is None or self.design.gears is None:
-            return {}
-        on_shafts: dict[str, Metre] = {}
-        for shaft in self.design.resolved:
-            solved, carrier = self.solved(shaft), self.carrier(shaft)
-            if carrier and solved is not None and solved.wheel is not None:
-                on_shafts.setdefault(carrier, float(solved.wheel))
-        planes = wheel_planes(self.design, self.train, on_shafts)
-        if not planes and self.train.wheels:
+        planes = known_planes(self.results)
+        if not planes and self.train is not None and self.train.wheels:
             self.notes.append(AT_MID_ENGINE)
         return {name: planes.get(name, next(iter(planes.values()), 0.0)) for name in self.along}
 
