@@ -17,6 +17,7 @@ from ..sheet.record import record
 from ..sheet.text import COMMA, Name, Text
 from ..sheet.units import Metre, Newton, Number, PhasorMetre, PhasorNewton, Radian, RevPerSecond
 from .load_rows import Book, LoadRow
+from .places import HANDS
 
 HIGHEST = 8.0  # order, as of the engine
 
@@ -69,7 +70,7 @@ def meshes(train: TrainResult, hands: dict[str, str]) -> dict[str, MeshForce | N
             found[key] = None
             continue
         turn = float(train.tree.senses[mesh.driver])
-        hand = {"right": 1.0, "left": -1.0}.get(hands.get(mesh.driver, ""), 0.0)
+        hand = HANDS[hands.get(mesh.driver, "")]
         F_t, F_r, F_a = forces.working_tangential_force, forces.working_radial_force, forces.axial_force or 0.0
         across, thrust = on_driver(float(F_t), float(F_r), float(F_a), float(gamma), turn, hand)
         at = complex(position) + mesh.working_diameter_driver / 2 * np.exp(1j * float(gamma))

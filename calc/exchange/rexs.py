@@ -12,6 +12,7 @@ from ..sheet.text import Text
 from ..sheet.value import untraced
 from ..solve import Results
 from .frame import date_of
+from .places import HANDS
 from .rexs_file import RexsModel, file_of, pose
 from .rexs_shafts import WrittenShaft, add_section, add_shaft
 from .rexs_unit import GearUnit
@@ -117,7 +118,7 @@ def _wheel(unit: GearUnit, wheel: WheelResult) -> None:
         return  # its shaft is left out
     shaft, start = unit.carried[wheel.name]
     system, z, given = unit.train.system, unit.planes[wheel.name], _given(unit, wheel.name)
-    hand = {"right": 1, "left": -1}.get(unit.design.gears.hands().get(wheel.name, ""), 0)
+    hand = HANDS[unit.design.gears.hands().get(wheel.name, "")]
     upper, lower = wheel.allowance or (None, None)
     speed = unit.train.speeds.get(wheel.name)
     gear = unit.model.add(
