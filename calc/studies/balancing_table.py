@@ -4,12 +4,12 @@ where, then id, value, unit, label, and a block for each reading."""
 
 import cmath
 import csv
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from io import StringIO
 from typing import TYPE_CHECKING
 
 from ..countershaft.balancing import formulas as f
-from ..draw.balancing_views import LineRow, conditions
+from ..draw.balancing_views import BalanceSheet, LineRow, conditions
 from ..draw.sizes import Say
 from ..exchange.frame import number as exact
 from ..sheet.quantity import published
@@ -23,7 +23,6 @@ from .balancing import asked, page_of
 if TYPE_CHECKING:
     from ..countershaft.balancing.inputs import MachineReading
     from ..countershaft.balancing.result import BalancingResult, HoleTakes, ReadingResult
-    from ..draw.balancing_views import LineRow
 
 COLUMNS = "id", "value", "unit", "label"
 Row = tuple[str, str, str, Text]
@@ -47,31 +46,31 @@ UNITS_LINE = Text("each row has its own; numbers have a decimal point; an empty 
 
 def csv_text(results: Results, sha256: str, say: Say = str) -> str:
     """An empty line stands before the block of each reading."""
-    file = StringIO()
-    for key, line in _head(results, sha256, say):
+    file, pages = StringIO(), {name: page_of(view, name) for name, view in asked(results).items()}
+    for key, line in _head(results, pages, sha256, say):
         file.write(f"# {key}: {line}\n")
     rows = csv.writer(file, lineterminator="\n")
     rows.writerow(COLUMNS)
-    for n, block in enumerate(table_rows(results)):
+    for n, block in enumerate(_blocks(results, pages)):
         if n:
             file.write("\n")
         rows.writerows((id, number, unit, say(label)) for id, number, unit, label in block)
     return file.getvalue()
 
 
-def _head(results: Results, sha256: str, say: Say) -> Iterator[tuple[str, str]]:
+def _head(results: Results, pages: Mapping[str, BalanceSheet], sha256: str, say: Say) -> Iterator[tuple[str, str]]:
     yield "program", f"Contralbero {VERSION}"
     yield "design", visible(results.design.name)
     yield "sha256", sha256
     yield from ((key, say(line)) for key, line in (("angles", ANGLES), ("places", PLACES), ("unbalance", UNBALANCE)))
     yield from (("verdict", say(VERDICTS)), ("units", say(UNITS_LINE)))
-    for name, view in asked(results).items():
-        zero, *sense = (say(line) for line in conditions(page_of(view, name)))
+    for name, page in pages.items():
+        zero, *sense = (say(line) for line in conditions(page))
         yield from ((f"zero, {name}", zero), *((f"sense, {name}", line) for line in sense))
 
 
-def table_rows(results: Results) -> list[list[Row]]:
-    """Blocks: of each shaft its sheet, and then one of each reading."""
+def _blocks(results: Results, pages: Mapping[str, BalanceSheet]) -> list[list[Row]]:
+    """Blocks of rows: of each shaft its sheet, and then one of each reading."""
     blocks = []
     for name, view in asked(results).items():
         shaft = view.shaft
@@ -91,7 +90,7 @@ def table_rows(results: Results) -> list[list[Row]]:
         for drill in found.outside:
             why = Text("Hole {name} is not drilled: {where}", name=Name(drill.name), where=drill.outside)
             block.append((f"{sheet}.hole.{drill.name}", "", "", why))
-        for row in page_of(view, name).line:
+        for row in pages[name].line:
             block += _line(row, f"{sheet}.line.{row.key}")
         blocks.append(block)
         for read, of in zip(found.inputs.readings, readings):
