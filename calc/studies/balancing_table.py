@@ -9,6 +9,7 @@ from io import StringIO
 from typing import TYPE_CHECKING
 
 from ..countershaft.balancing import formulas as f
+from ..countershaft.balancing.result import PLANES, RINGS
 from ..draw.balancing_views import BalanceSheet, LineRow, conditions
 from ..draw.sizes import Say
 from ..exchange.frame import number as exact
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from ..countershaft.balancing.result import BalancingResult, HoleTakes, ReadingResult
 
 COLUMNS = "id", "value", "unit", "label"
+SIDES = "front", "rear"
 Row = tuple[str, str, str, Text]
 
 IN_ENGINE, BY_SHOP = Text("its angle in the engine, cylinder 1 at TDC"), Text("its angle as the shop counts")
@@ -108,11 +110,11 @@ def _shop(found: "BalancingResult", phi: Radian) -> Radian:
 
 
 def _places(found: "BalancingResult", sheet: str) -> Iterator[Row]:
-    for key, plane, words in zip(("front", "rear"), found.planes, (Text("front plane"), Text("rear plane"))):
+    for key, plane, words in zip(SIDES, found.planes, PLANES):
         yield _row(f"{sheet}.{key}.z", plane.z, "mm", Text("Place of the {plane}", plane=words))
         error = Text("Standard error of machine and ring, {plane}", plane=words)
         yield _row(f"{sheet}.{key}.error", plane.error, "g·mm", error)
-    for key, ring, words in zip(("front", "rear"), found.rings, (Text("front ring"), Text("rear ring"))):
+    for key, ring, words in zip(SIDES, found.rings, RINGS):
         yield _row(f"{sheet}.ring_{key}.z", ring.z, "mm", Text("Place of the {plane}", plane=words))
 
 
@@ -151,20 +153,17 @@ def _line(row: LineRow, id: str) -> Iterator[Row]:
 
 def _read(read: "MachineReading", id: str) -> Iterator[Row]:
     yield f"{id}kind", read.kind, "", Text("What was read")
-    for key, U, alpha, words in (
-        ("front", read.front, read.front_, Text("front plane")),
-        ("rear", read.rear, read.rear_, Text("rear plane")),
-    ):
+    sides = (read.front, read.front_), (read.rear, read.rear_)
+    for key, (U, alpha), words in zip(SIDES, sides, PLANES):
         yield _row(f"{id}read_{key}", U, "g·mm", Text("As read, {plane}", plane=words))
         yield _row(f"{id}read_{key}.shop_angle", f.once(alpha), "°", BY_SHOP)
 
 
 def _told(found: "BalancingResult", read: "ReadingResult", id: str) -> Iterator[Row]:
     """Where the rest stands, what no hole reaches of it, and whether it passes."""
-    planes = ("front", Text("front plane")), ("rear", Text("rear plane"))
-    for (key, _), U in zip(planes, read.left):
+    for key, U in zip(SIDES, read.left):
         yield from _angles(found, U, f"{id}{key}")
-    for (key, words), U in zip(planes, read.unreached):
+    for key, U, words in zip(SIDES, read.unreached, PLANES):
         label = Text("What no hole reaches, however deep, {plane}", plane=words)
         yield _row(f"{id}unreached_{key}", abs(U), "g·mm", label)
         yield from _angles(found, U, f"{id}unreached_{key}")

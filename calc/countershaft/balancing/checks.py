@@ -16,7 +16,7 @@ from ...sheet.units import UNITS, Metre
 from ..inputs import ShaftInputs
 from ..rows import SHAFT
 from .inputs import Balancing
-from .result import BalancingPlane, BalancingResult, Drill
+from .result import PLANES, BalancingPlane, BalancingResult, Drill
 from .solve import counted_error
 
 TABLE = dotted(SHAFT, ShaftInputs.balancing)
@@ -123,7 +123,7 @@ def reading_check(found: BalancingResult, serial: str) -> Check:
         return rank[reading.told[n]], left[n] / _permitted(found.planes[n])
 
     n = max((0, 1), key=decides)
-    plane, words = found.planes[n], (Text("front plane"), Text("rear plane"))[n]
+    plane, words = found.planes[n], PLANES[n]
     where = Text("{name}, {plane}", name=name, plane=words)
     if reading.told is None or reading.told[n] != "between":
         return READING(left[n], _permitted(plane), at=serial, name=where)

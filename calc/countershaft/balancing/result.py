@@ -10,6 +10,7 @@ from ...sheet.text import Text
 from ...sheet.units import KilogramMetre, KilogramPerMetre3, Metre, Newton, Number, Radian
 from .inputs import Balancing
 
+PLANES, RINGS = (Text("front plane"), Text("rear plane")), (Text("front ring"), Text("rear ring"))
 Told = Literal["pass", "fail", "between"]  # of a plane: the machine's error leaves no answer between
 
 

@@ -23,8 +23,8 @@ from ..outline import Outline, Piece
 from . import formulas as f
 from . import hole as h
 from .drilling import amounts
-from .inputs import ENGINE, POINT, Balancing, MachineReading, from_to, within
-from .result import BalancingPlane, BalancingResult, BalancingRing, Drill, HoleTakes, ReadingResult, Told
+from .inputs import ENGINE, OF_MASS, POINT, Balancing, MachineReading, from_to, within
+from .result import PLANES, RINGS, BalancingPlane, BalancingResult, BalancingRing, Drill, HoleTakes, ReadingResult, Told
 
 DISREGARDED = 0.05  # of U_per: an error of the machine below this share is none (ISO 21940-14)
 STEPS = 10  # of the table of depths
@@ -50,14 +50,14 @@ def sheet(shaft: ShaftInputs, table: Balancing, made: Made) -> BalancingResult |
     if zero is None:
         return None
     s = f.sense(shaft.speed_ratio, table.count)
-    planes = _planes(shaft, table, made, zero, s)
+    size = sum(abs(mass.mass * mass.radius) for mass in (*made.masses, *shaft.extras))
+    planes = _planes(shaft, table, made, size, zero, s)
     z_1, z_2 = table.ring_positions or shaft.bearing_positions[:: len(shaft.bearing_positions) - 1]
     one, other = planes
-    size = sum(abs(mass.mass * mass.radius) for mass in (*made.masses, *shaft.extras))
     target = (one.vector, one.z, other.vector, other.z)
-    with about(Text("front ring")):
+    with about(RINGS[0]):
         front = _ring(f.ring_front(*target, z_1=z_1, z_2=z_2), z_1, size, zero, s)
-    with about(Text("rear ring")):
+    with about(RINGS[1]):
         rear = _ring(f.ring_rear(*target, z_1=z_1, z_2=z_2), z_2, size, zero, s)
     asked = drills(shaft, table, made)
     holes = {drill.name: _hole(drill, planes) for drill in asked if drill.outside is None}
@@ -84,50 +84,37 @@ def zero_words(table: Balancing) -> Text:
         pass
     if table.zero == ENGINE:
         return Text("up, with cylinder 1 at TDC")
-    return Text("middle of mass {name}", name=Name(table.zero.removeprefix("mass ")))
+    return Text("middle of mass {name}", name=Name(table.zero.removeprefix(OF_MASS)))
 
 
 # --- planes and rings
 
 
 def _planes(
-    shaft: ShaftInputs, table: Balancing, made: Made, zero: Radian, s: Number
+    shaft: ShaftInputs, table: Balancing, made: Made, size: KilogramMetre, zero: Radian, s: Number
 ) -> tuple[BalancingPlane, BalancingPlane]:
-    whole = (*made.masses, *shaft.extras)
+    whole, per = (*made.masses, *shaft.extras), made.permitted
     z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     m, e, gamma, z = (column(whole, name) for name in ("mass", "radius", "angle", "z"))
-    size, per = sum(abs(mass.mass * mass.radius) for mass in whole), made.permitted
+    permitted = (
+        (None, None) if per is None else (per.residual_unbalance_permitted_front, per.residual_unbalance_permitted_rear)
+    )
+    targets, errors = (f.target_front, f.target_rear), zip(table.measurement_errors, table.ring_tolerances)
     planes = []
-    for words, target, at, permitted, error, ring in (
-        (
-            Text("front plane"),
-            f.target_front,
-            z_f,
-            None if per is None else per.residual_unbalance_permitted_front,
-            table.measurement_errors[0],
-            table.ring_tolerances[0],
-        ),
-        (
-            Text("rear plane"),
-            f.target_rear,
-            z_r,
-            None if per is None else per.residual_unbalance_permitted_rear,
-            table.measurement_errors[1],
-            table.ring_tolerances[1],
-        ),
-    ):
+    for words, target, at, most, (error, ring) in zip(PLANES, targets, (z_f, z_r), permitted, errors):
         with about(words):
             vector = target(m=m, e=e, gamma=gamma, z=z, z_f=z_f, z_r=z_r)
-            U, phi = f.length(U=vector), None if abs(vector) <= DUST * size else f.direction(U=vector)
+            U = f.length(U=vector)
+            phi, alpha = _angles(vector, size, zero, s)
             planes.append(
                 BalancingPlane(
                     target=U,
                     target_angle=phi,
-                    shop_angle=None if phi is None else f.shop_angle(s=s, phi=phi, phi_0=zero),
+                    shop_angle=alpha,
                     machine_force=f.machine_force(U=U, n_b=table.speed),
                     vector=vector,
                     z=at,
-                    permitted=permitted,
+                    permitted=most,
                     error=f.uncertainty(s_m=error, s_r=ring) if error or ring else 0.0,
                     ring_error=ring,
                 )
@@ -136,9 +123,17 @@ def _planes(
 
 
 def _ring(vector: complex, z: Metre, size: KilogramMetre, zero: Radian, s: Number) -> BalancingRing:
-    angle = None if abs(vector) <= DUST * size else f.direction(U=vector)
-    alpha = None if angle is None else f.shop_angle(s=s, phi=angle, phi_0=zero)
-    return BalancingRing(unbalance=f.length(U=vector), angle=angle, shop_angle=alpha, vector=vector, z=z)
+    phi, alpha = _angles(vector, size, zero, s)
+    return BalancingRing(unbalance=f.length(U=vector), angle=phi, shop_angle=alpha, vector=vector, z=z)
+
+
+def _angles(vector: complex, size: KilogramMetre, zero: Radian, s: Number) -> tuple[Radian | None, Radian | None]:
+    """The direction of an unbalance in the engine, and as the shop counts it; none where it is no more than rounding of
+    what all masses have (`size`)."""
+    if abs(vector) <= DUST * size:
+        return None, None
+    phi = f.direction(U=vector)
+    return phi, f.shop_angle(s=s, phi=phi, phi_0=zero)
 
 
 # --- holes
@@ -289,7 +284,7 @@ def _reading(
 ) -> ReadingResult:
     read = ((reading.front, reading.front_), (reading.rear, reading.rear_))
     before = []
-    for plane, (U, alpha), words in zip(planes, read, (Text("front plane"), Text("rear plane"))):
+    for plane, (U, alpha), words in zip(planes, read, PLANES):
         with about(Text("reading {serial}, {plane}", serial=Name(reading.serial), plane=words)):
             phi = f.engine_angle(s=s, alpha=alpha, phi_0=zero)
             before.append(f.excess(U_m=U, phi=phi, U_t=plane.vector if reading.kind == "total" else 0j))
@@ -302,12 +297,12 @@ def _reading(
         u = amounts(np.array(before), takes, per, np.array([hole.most for hole in holes], dtype=float))
         reach = amounts(np.array(before), takes, per, np.full(len(holes), math.inf))
     left, unreached = [], []
-    for n, words in enumerate((Text("front plane"), Text("rear plane"))):
+    for n, words in enumerate(PLANES):
         with about(Text("reading {serial}, {plane}, drilled", serial=Name(reading.serial), plane=words)):
             left.append(item(f.left(U_e=before[n], u=u, x=x[n], gamma=gamma)))
         unreached.append(complex(before[n] - np.sum(reach * x[n] * np.exp(1j * gamma))))
     ends = []
-    for vector, words in zip(left, (Text("front plane"), Text("rear plane"))):
+    for vector, words in zip(left, PLANES):
         with about(Text("reading {serial}, {plane}, drilled", serial=Name(reading.serial), plane=words)):
             ends.append(f.length(U=vector))
     return ReadingResult(
