@@ -133,6 +133,3 @@ def _demand_docx(asked: Namespace) -> None:
         raise BadInput("contralbero report", [InputError(0, "--depth", "audit", reason)])
     for module in ("docx", "pypdfium2"):
         demand("docx", module, "--format docx")
-
-
-# --- contralbero export
