@@ -115,7 +115,7 @@ def text(sides: Sides, comparison: Comparison, everything: bool) -> Iterator[str
         moved_table(comparison, names, sign, 0 if everything else MOST),
         result_table(comparison, names),
         measured,
-        compared_runs(a.runs_with(b), b.runs_with(a), names),
+        compared_runs(*_runs(sides), names),
     ]
     for table in [*tables, input_table(comparison.inputs, names, full=everything)]:
         if table is not None and table.rows:
