@@ -11,7 +11,7 @@ from calc.sheet.number import short
 from calc.sheet.quantity import Published
 from calc.sheet.text import Text, plural
 
-from .results_text import LINE, check_json, finite
+from .results_text import LINE, check_json, finite, values_json
 
 if TYPE_CHECKING:
     from calc.studies.fit_results import DesignFit  # with numpy and what else a fit takes
@@ -72,13 +72,9 @@ def with_fits(found: dict[str, Any], made: Mapping[str, "DesignFit | Text"]) -> 
     fits = {name: {"words": fit} if isinstance(fit, str) else fit_json(fit) for name, fit in made.items()}
     return found | {
         "fits": {name: about | fits.get(name, {}) for name, about in found["fits"].items()},
-        "values": found["values"] | {id: value for fit in done for id, value in values_json(fit).items()},
+        "values": found["values"] | values_json({id: value for fit in done for id, value in fit.values().items()}),
         "checks": [*found["checks"], *(check_json(fit.check()) for fit in done)],
     }
-
-
-def values_json(fit: "DesignFit") -> dict[str, Any]:
-    return {id: {"value": finite(v.shown), "unit": v.unit, "label": v.label} for id, v in fit.values().items()}
 
 
 def fit_json(fit: "DesignFit") -> dict[str, Any]:

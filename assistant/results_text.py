@@ -5,7 +5,7 @@ import math
 import os
 import sys
 import textwrap
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from difflib import get_close_matches
 from itertools import takewhile
@@ -449,16 +449,10 @@ def results_json(
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
         "verdict": judged_part.verdict,
         "counts": asdict(counted),
-        "values": {
-            id: {"value": finite(v.shown), "unit": v.unit, "label": v.label}
-            for id, v in results.values().items()
-            if step is None or id.startswith(f"{step}.")
-        }
-        | {
-            v.id: {"value": finite(v.shown), "unit": v.unit, "label": v.label}
-            for v in run_values
-            if v.id.startswith(prefixes)
-        },
+        "values": values_json(
+            {id: v for id, v in results.values().items() if step is None or id.startswith(f"{step}.")}
+            | {v.id: v for v in run_values if v.id.startswith(prefixes)}
+        ),
         "tables": {f"{o.key}.{t.id}": table_json(t) for o in shown for t in o.tables},
         "checks": [
             *(check_json(c, moved.get(c.id)) for o in shown for c in o.checks),
@@ -497,6 +491,11 @@ def results_json(
         "reasons": {o.key: o.reason for o in shown if o.reason},
         "not_counted": list(not_counted(results.design)),
     }
+
+
+def values_json(values: Mapping[str, Published]) -> dict[str, Any]:
+    """Values by their ids."""
+    return {id: {"value": finite(v.shown), "unit": v.unit, "label": v.label} for id, v in values.items()}
 
 
 def run_json(run: "RunRows", columns: "Sequence[ColumnResult]") -> dict[str, Any]:

@@ -9,9 +9,9 @@ from argparse import Namespace
 from pathlib import Path
 from typing import Any
 
-from assistant.fits_text import fit_json, print_fit, values_json
+from assistant.fits_text import fit_json, print_fit
 from assistant.named_files import STANDARD, put, read_design, spoken
-from assistant.results_text import LINE, check_json, print_summary
+from assistant.results_text import LINE, check_json, print_summary, values_json
 from assistant.session.editing import locked_text
 from assistant.session.fitted import fitted_text, with_fit
 from assistant.session.saving import NeedsUpgrade, write_asked
@@ -91,7 +91,7 @@ def _as_json(document: Document, fit: DesignFit, made: Results | None) -> dict[s
         "design": {"name": str(document.data.get("name", "")), "sha256": document.sha256},
         "fit": fit.name,
         **fit_json(fit),
-        "values": values_json(fit),
+        "values": values_json(fit.values()),
         "checks": [check_json(fit.check())],
         "applied": made is not None,
         "verdict_then": made.verdict if made is not None else None,
