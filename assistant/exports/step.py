@@ -27,14 +27,15 @@ DENSITY = Text("density is not in the file")
 
 def lacks(asked: Request) -> InputError | None:
     design, options = asked.results.design, asked.options
-    if options.get("wheel") or (options.get("module") and design.countershaft is None) or options.get("teeth"):
+    wheels_alone = options.get("wheel") or (options.get("module") and design.countershaft is None)
+    if wheels_alone or options.get("teeth"):
         if design.gears is None:
             return InputError(0, "gears", "", Text("needed for wheels: add [gears]"))
         if asked.results.train is None:
             reason = asked.results.outcomes["gears"].reason
             return InputError(0, "gears", "", Text("there are no wheels: {reason}", reason=reason))
-    if options.get("wheel") or (options.get("module") and design.countershaft is None):
-        return next(iter(_nowhere(asked)), None) if options.get("module") else None
+    if wheels_alone:
+        return next(_nowhere(asked), None) if options.get("module") else None
     if design.countershaft is None and design.gears is not None:
         names = ", ".join(wheel.name for wheel in design.gears.wheels)
         reason = Text("there is no shaft; --wheel NAME writes a wheel: {wheels}", wheels=names)
@@ -42,7 +43,7 @@ def lacks(asked: Request) -> InputError | None:
     only = {shaft.of or shaft.name for shaft in design.resolved if shaft.name == options.get("shaft")}
     seen = ((name, view) for name, view in views(asked.results) if not only or name in ("", *only))
     wrong = (lacking for name, view in seen if (lacking := no_outline(asked, view, name, SOLID)))
-    return next(wrong, next(iter(_nowhere(asked)), None) if options.get("module") else None)
+    return next(wrong, next(_nowhere(asked), None) if options.get("module") else None)
 
 
 def made(asked: Request) -> Made:
@@ -136,15 +137,12 @@ def _module(asked: Request, solids: Solids) -> Written:
 
 
 def _wrong(asked: Request) -> Iterator[InputError]:
-    """What the options ask for and is not to be had, all at once."""
+    """What the options ask for and is not to be had, all at once.  That only one of --shaft, --wheel and --module is
+    asked for the command line says."""
     solids, options = Solids(asked), asked.options
     shaft, wheel, module = (options.get(key) for key in ("shaft", "wheel", "module"))
     wheels = list(solids.train.wheels) if solids.train is not None else []
     shafts = [one.name for one in solids.design.resolved]
-    together = [f"--{key}" for key, given in (("shaft", shaft), ("wheel", wheel), ("module", module)) if given]
-    if len(together) > 1:
-        reason = Text("asks for another part than {other}: give one of them", other=together[1])
-        yield InputError(0, together[0], "", reason)
     if shaft is not None and shaft not in shafts:
         reason = Text("is no shaft; the shafts are {names}", names=", ".join(shafts))
         yield InputError(0, "--shaft", str(shaft), reason)

@@ -24,7 +24,7 @@ Shape = Any  # of the kernel
 Edge = Any
 Point = tuple[float, float, float]
 
-EXTRA, MODULE = "cad", "OCP"
+MODULE = "OCP"
 ASKED = ">=8.0.1,<9"
 NAMES = {
     "APIHeaderSection": ("APIHeaderSection_MakeHeader",),
