@@ -51,9 +51,11 @@ class Solids:
         """Which wheels have no such end of their allowance."""
         if not self.end or self.train is None:
             return []
-        reason = Text("wheel {name} has no span_allowance_um")
-        lacking = [name for name in wheels if self.end not in shifts(self.train.system, self.train.wheels[name])]
-        return [InputError(0, "--allowance", self.end, Text(reason, name=Name(name))) for name in lacking]
+        return [
+            InputError(0, "--allowance", self.end, Text("wheel {name} has no span_allowance_um", name=Name(name)))
+            for name in wheels
+            if self.end not in shifts(self.train.system, self.train.wheels[name])
+        ]
 
     def wheel(self, name: str, inside: Metre | None = None) -> WeighedPart:
         """`inside`: the radius inside which it is open, else its own."""
@@ -89,8 +91,10 @@ class Solids:
 
     def wheel_on(self, shaft: Resolved) -> str | None:
         """The wheel that turns a shaft."""
-        turn = self.train.shafts.get(shaft.name) if self.train is not None else None
-        return turn.wheel if turn is not None and self.train is not None and turn.wheel in self.train.wheels else None
+        if self.train is None:
+            return None
+        turn = self.train.shafts.get(shaft.name)
+        return turn.wheel if turn is not None and turn.wheel in self.train.wheels else None
 
     def drawn(self, shaft: Resolved) -> tuple[Outline, list[Hole]]:
         """The outline of a shaft and its holes, of a mirror image turned over."""
