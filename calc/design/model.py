@@ -5,7 +5,6 @@ in solve.py."""
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import field
-from difflib import get_close_matches
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -34,6 +33,7 @@ from ..sheet.quantity import (
     inputs,
     integer,
     keys,
+    meant,
     reasons,
     table,
     tables,
@@ -798,8 +798,7 @@ def _no_key(key: str) -> Text | None:
 
 def _unknown_name(name: str, known: Iterable[str]) -> Text:
     there = [other for other in known if other]  # one without a name is an error of its own
-    near = get_close_matches(name, there, 1)
     others = Text("; there are none")
     if there:
-        others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(there)
+        others = meant(name, there) or Text("; known are ") + ", ".join(there)
     return Text('"{name}" is not known', name=name) + others

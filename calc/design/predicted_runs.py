@@ -4,7 +4,6 @@
 `solve` stands above this room and is handed in; `Solved` is what it gives (`Results`)."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
@@ -16,7 +15,7 @@ from ..measurements.units import conversion, listed
 from ..mounting.at_speeds import MEASURED, AtMeasuredSpeed, unit_of
 from ..sheet.arrays import Array
 from ..sheet.inputs_at import content_at, with_content
-from ..sheet.quantity import Published, dotted
+from ..sheet.quantity import Published, dotted, meant
 from ..sheet.record import record, replace
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.value import recorded
@@ -68,14 +67,12 @@ class Source:
         elif about is not None and isinstance(content, (int, float)) and not isinstance(content, bool):
             self.unit, self.label = about.unit, about.label
         else:
-            near = get_close_matches(id, [*values], 1)
-            meant = Text('; did you mean "{near}"?', near=near[0]) if near else EMPTY
             unsolved = solved.outcomes.get(design.step_of(id))
             if unsolved is not None and unsolved.state not in ("solved", "not_asked"):
                 waits = Text("is not known while this step is not solved: {step}", step=design.step_of(id))
                 self.problem = waits
             else:
-                self.problem = Text("{id} is no value of this design, and no number in it", id=id) + meant
+                self.problem = Text("{id} is no value of this design, and no number in it", id=id) + meant(id, values)
 
 
 def value_problems(design: Design, solved: Solved) -> Iterator[tuple[str, Text]]:

@@ -8,11 +8,10 @@ free = [{ key = "shafts.shaft.bearings.front.clearance_um", low = 50, high = 140
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from difflib import get_close_matches
 
 from ..sheet.inputs_at import content_at
-from ..sheet.quantity import Quantity, dotted, inputs, keys, names, quantity, tables, text
-from ..sheet.text import EMPTY, Text
+from ..sheet.quantity import Quantity, dotted, inputs, keys, meant, names, quantity, tables, text
+from ..sheet.text import Text
 from .inputs import Measurement
 
 MOST_FREE = 4
@@ -76,7 +75,7 @@ def fit_problems(fit: FitInputs, runs: Sequence[Measurement], tables: Tables) ->
         yield dotted(FitInputs.of), Text("there is no run to fit to: add [[measurements]]")
     for i, name in enumerate(fit.of or ()):
         if known and name not in known:
-            yield dotted(FitInputs.of, i), Text("is no run of this design") + _meant(name, known)
+            yield dotted(FitInputs.of, i), Text("is no run of this design") + meant(name, known)
     of = [run for run in runs if fit.of is None or run.name in fit.of]
     set_by = {condition.key: run.name for run in of for condition in run.conditions}
     for i, row in enumerate(fit.free):
@@ -89,7 +88,7 @@ def _free_problems(row: FreeInput, set_by: Mapping[str, str], tables: Tables) ->
     about = _described(row.key, tables)
     if about is None:
         numbers = [key for way, table in tables if table is not None for key in _numbers(table, way)]
-        yield dotted(FreeInput.key), Text("is no input of this design") + _meant(row.key, numbers)
+        yield dotted(FreeInput.key), Text("is no input of this design") + meant(row.key, numbers)
     elif about.kind not in ("number", "integer"):
         must = Text("must be an input that is one number; this one is {allowed}", allowed=about.allowed())
         yield dotted(FreeInput.key), must
@@ -123,8 +122,3 @@ def _numbers(table: object, way: str) -> Iterator[str]:
         elif key.about.kind == "tables":
             for n, element in enumerate(content):
                 yield from _numbers(element, dotted(here, getattr(element, "name", "") or n))
-
-
-def _meant(word: str, known: Sequence[str]) -> Text:
-    near = get_close_matches(word, known, 1)
-    return Text('; did you mean "{near}"?', near=near[0]) if near else EMPTY

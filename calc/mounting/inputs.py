@@ -5,12 +5,11 @@ In order: the inertia tensor, mounts and frame, points and operations, the input
 
 import math
 from collections.abc import Iterable, Iterator
-from difflib import get_close_matches
 
 from ..engine.operation import OfGas
 from ..engine.operation import Operation as EngineOperation
 from ..sheet.arrays import Array
-from ..sheet.quantity import as_in, choice, dotted, inputs, integer, quantity, series, table, tables, text
+from ..sheet.quantity import as_in, choice, dotted, inputs, integer, meant, quantity, series, table, tables, text
 from ..sheet.text import COMMA, Amount, Text
 
 # --- the inertia tensor of a rigid body, and whether a body can have it
@@ -628,12 +627,8 @@ class MountingInputs:
                     )
 
 
-def _no_place(name: str, places: Iterable[str]) -> Text:
-    near = get_close_matches(name, list(places), 1)
-    unknown = Text("is no mount, point or support")
-    return unknown + (
-        Text('; did you mean "{near}"?', near=near[0]) if near else Text("; there are ") + ", ".join(places)
-    )
+def _no_place(name: str, places: list[str]) -> Text:
+    return Text("is no mount, point or support") + (meant(name, places) or Text("; there are ") + ", ".join(places))
 
 
 # --- what the ways of balancing an engine on its mounts, and its motions, are called

@@ -6,7 +6,7 @@ file, `--set`, the form, the report and the JSON all read this one description. 
 out: None (no tables: ()) means "choose for me"; the type checker reads the same word."""
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import MISSING, Field, field, fields, is_dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -383,9 +383,14 @@ def given(inputs: object, prefix: str, *, named: bool = False) -> Iterator[tuple
 
 def unknown(key: str, known: Collection[str]) -> Text:
     """What is said of a key that is not among those that may stand there, with the nearest of them."""
-    near = get_close_matches(key, known, 1, 0.5)
-    others = Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
-    return Text("is not known") + others
+    return Text("is not known") + (meant(key, known, 0.5) or Text("; known here are ") + ", ".join(known))
+
+
+def meant(word: str, known: Iterable[str], alike: float = 0.6) -> Text:
+    """Which of the words that are known was probably meant, behind what is said of another one; empty: none is near.
+    `alike`: how near, from 0 to 1."""
+    near = get_close_matches(word, list(known), 1, alike)
+    return Text('; did you mean "{near}"?', near=near[0]) if near else EMPTY
 
 
 # --- results

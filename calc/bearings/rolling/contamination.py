@@ -2,8 +2,8 @@
 """How clean the oil is: the words of ISO 281 and the classes of ISO 4406.  What each means stands in the table."""
 
 import re
-from difflib import get_close_matches
 
+from ...sheet.quantity import meant
 from ...sheet.text import Text
 
 WORDS = ("high", "normal", "slight", "typical", "severe", "very-severe")  # ISO 281:2007, table 13
@@ -15,6 +15,5 @@ def cleanliness_problem(words: str) -> Text | None:
     known = [*WORDS, *CLASSES]
     if words in known:
         return None
-    near = get_close_matches(re.sub(r"\s", "", words.casefold()), known, 1)
-    meant = Text('; did you mean "{near}"?', near=near[0]) if near else Text("")
-    return Text('"{words}" is not known; one of {known}', words=words, known=", ".join(known)) + meant
+    near = meant(re.sub(r"\s", "", words.casefold()), known)
+    return Text('"{words}" is not known; one of {known}', words=words, known=", ".join(known)) + near
