@@ -38,7 +38,7 @@ class ColumnResult:
 
     @property
     def id(self) -> str:
-        return f"{MEASURED}.{self.target.run}.{self.target.column}"
+        return self.target.id
 
     @property
     def unit(self) -> str:
