@@ -6,13 +6,13 @@ from ..bearings.rolling.bearing import RollingBearing
 from ..countershaft.rows import BearingRow
 from ..sheet.record import record
 from ..sheet.text import Text
-from ..sheet.units import Metre
+from ..sheet.units import PI, Metre
 from .rexs_file import Component, Content
 from .rexs_unit import GearUnit
 
 TYPES = {"ball": "radial_grooved_ball_bearing", "roller": "radial_roller_bearing"}
 NEEDLES = "radial_needle_roller_bearing"
-ROUND = 0.0, 6.283185307179586  # of a groove that goes all round
+ROUND = 0.0, 2 * PI  # of a groove that goes all round
 NO_ARC = Text("{bearing}: its groove begins and ends at angles from the load, which turns: they are left out.")
 
 

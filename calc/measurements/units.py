@@ -4,7 +4,7 @@
 from difflib import get_close_matches
 
 from ..sheet.record import record
-from ..sheet.units import UNITS
+from ..sheet.units import PI, UNITS
 
 
 @record
@@ -17,7 +17,7 @@ class BenchUnit:
 
 
 POUND, GRAVITY, INCH = 0.45359237, 9.80665, 0.0254  # exact by definition: kg, m/s², m
-# beside those of the program: (symbol inside, factor, zero)
+# beside those of the program; of several meanings the dimension decides
 FURTHER: dict[str, tuple[BenchUnit, ...]] = {
     "°F": (BenchUnit("°C", 5 / 9, -32.0),),
     "psi": (BenchUnit("Pa", POUND * GRAVITY / INCH**2),),
@@ -50,7 +50,7 @@ FURTHER: dict[str, tuple[BenchUnit, ...]] = {
     "ms": (BenchUnit("s", 1e-3),),
     "rad": (BenchUnit("rad", 1.0),),
     "Hz": (BenchUnit("Hz", 1.0), BenchUnit("1/s", 1.0)),  # of a speed, turns a second
-    "rad/s": (BenchUnit("rad/s", 1.0), BenchUnit("1/s", 1 / (2 * 3.141592653589793))),
+    "rad/s": (BenchUnit("rad/s", 1.0), BenchUnit("1/s", 1 / (2 * PI))),
     "cSt": (BenchUnit("m²/s", 1e-6),),
     "cP": (BenchUnit("Pa·s", 1e-3),),
 }
