@@ -14,7 +14,7 @@ from ..draw.balancing_views import BalanceSheet, LineRow
 from ..draw.sizes import Say, number
 from ..draw.workshop_sheet import DrawnPart, WorkshopSheet
 from ..exchange.frame import frame_of
-from ..gears.result import TrainResult
+from ..gears.result import ShaftTurn, TrainResult
 from ..sheet.record import replace
 from ..sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ..sheet.units import UNITS, Metre, NewtonMetre
@@ -112,8 +112,9 @@ def line_rows(view: Results, found: "BalancingResult") -> Iterator[LineRow]:
             ),
         )
     train = view.result(TrainResult)
-    turn = _turn(view, train)
-    if turn is not None:
+    turned = _turned(view, train)
+    if turned is not None:
+        turn = float(turned.phase_error)
         angle = at_angle(turn)
         yield LineRow(
             "tooth_mark",
@@ -140,14 +141,12 @@ def line_rows(view: Results, found: "BalancingResult") -> Iterator[LineRow]:
     yield from _backlashes(view, train)
 
 
-def _turn(view: Results, train: TrainResult | None) -> float | None:
-    """The free turn of the shaft's wheel by backlash."""
-    name = view.design.countershaft.name if view.design.countershaft is not None else ""
+def _turned(view: Results, train: TrainResult | None) -> ShaftTurn | None:
+    """How the train turns the shaft in view: a single one, whatever it is called."""
     if train is None:
         return None
-    turns = train.shafts
-    found = turns.get(name) or (next(iter(turns.values())) if len(turns) == 1 else None)
-    return None if found is None else float(found.phase_error)
+    name = view.design.countershaft.name if view.design.countershaft is not None else ""
+    return train.shafts.get(name) or (next(iter(train.shafts.values())) if len(train.shafts) == 1 else None)
 
 
 def drag(view: Results, check: "LineCheck") -> Drag | None:
@@ -185,10 +184,8 @@ def _backlashes(view: Results, train: TrainResult | None) -> Iterator[LineRow]:
     if train is None or gears is None or shaft is None or train.play is None:
         return
     wanted = wanted_backlashes(train)
-    wheel = next(
-        (turn.wheel for name, turn in train.shafts.items() if name == shaft.name or len(train.shafts) == 1), None
-    )
-    on_way = {link.key for link in train.tree.way(wheel)} if wheel is not None else set(train.meshes)
+    turned = _turned(view, train)
+    on_way = {link.key for link in train.tree.way(turned.wheel)} if turned is not None else set(train.meshes)
     for mesh in gears.meshes:
         if mesh.key not in on_way:
             continue
