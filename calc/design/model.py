@@ -151,7 +151,7 @@ class Design:
     @property
     def checked_later(self) -> frozenset[str]:
         """The ids of checks that are made when somebody asks for them: of the columns of runs."""
-        return frozenset(f"measured.{run.name}.{column}" for run in self.measurements for column in run.column_names)
+        return frozenset(id for run in self.measurements for id in run.column_ids)
 
     @property
     def countershaft(self) -> ShaftInputs | None:

@@ -146,6 +146,11 @@ class Measurement:
             found.append(name)
         return tuple(found)
 
+    @property
+    def column_ids(self) -> tuple[str, ...]:
+        """The ids of their checks, and how those of their values begin."""
+        return tuple(f"measured.{self.name}.{column}" for column in self.column_names)
+
 
 def _word(id: str) -> str:
     """The last word of an id as an id of another may have it: `oil-flow` of bearings.front.oil_flow."""

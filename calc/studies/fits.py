@@ -204,12 +204,8 @@ class _Fitting:
                 weight = Text("a prior has no weight beside columns without uncertainty: give that of the columns")
                 raise self._bad(dotted(self.place, FitInputs.free, i, FreeInput.prior), weight)
         there = {target.id for target in wanted}
-        lost = [
-            f"measured.{run.name}.{column}"
-            for run in self.base.measurements
-            for column in run.column_names
-            if run.name in self.runs and f"measured.{run.name}.{column}" not in there
-        ]
+        runs = (run for run in self.base.measurements if run.name in self.runs)
+        lost = [id for run in runs for id in run.column_ids if id not in there]
         return wanted, [Text("{column} is left out: this design has no such value", column=column) for column in lost]
 
     def _rows(self, wanted: Sequence[Target]) -> tuple[list[NDArray[np.bool_]], FitRows, list[Text]]:
