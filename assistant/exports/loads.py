@@ -35,8 +35,7 @@ def made(asked: Request) -> Made:
             speeds = speeds_of(given, engine.rated_speed * 60)
     except BadInput as bad:
         wrong += bad.errors
-    known = variants(results)
-    if "variant" in asked.options and variant not in known:
+    if "variant" in asked.options and variant not in (known := variants(results)):
         words = Text(
             "is not known of this design: it has {known} (scatter needs [mounting], and the errors there or "
             "[shafts.scatter]; tooth needs gears)",
