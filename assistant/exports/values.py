@@ -49,18 +49,21 @@ def _text(asked: Request) -> str:
 
 def _values(results: Results) -> str:
     """A row for each value; a number that is not finite leaves its cell empty."""
-    file = StringIO()
-    rows = csv.writer(file, lineterminator="\n")
-    rows.writerow(("id", "value", "unit", "label", "symbol"))
-    for id, value in results.values().items():
-        rows.writerow((id, value.shown if math.isfinite(value.shown) else "", value.unit, value.label, value.symbol))
-    return file.getvalue()
+    rows = (
+        (id, value.shown if math.isfinite(value.shown) else "", value.unit, value.label, value.symbol)
+        for id, value in results.values().items()
+    )
+    return _csv(("id", "value", "unit", "label", "symbol"), rows)
 
 
 def _table(header: Sequence[str], numbers: Iterable[Sequence[float]]) -> str:
     """What is not finite leaves its cell empty."""
+    return _csv(header, ([f"{x:.9g}" if math.isfinite(x) else "" for x in row] for row in numbers))
+
+
+def _csv(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
     file = StringIO()
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(header)
-    writer.writerows([f"{x:.9g}" if math.isfinite(x) else "" for x in row] for row in numbers)
+    writer.writerows(rows)
     return file.getvalue()
